@@ -49,12 +49,7 @@ MNEMONICS = {
         "tests/golden/technol/assembler/not_changes_no_flag", r"\bNOT\b", "COM"),
     "hnc": (
         [("transpiler/dialects/hnc/functions.def", "HNC_FUNCTION(Fabs, ",
-          ['HNC_FUNCTION(Dabs, "dabs", "math.h", "double dabs(double);", Arguments)']),
-         ("transpiler/dialects/hnc/lowering/library_calls.cc", "  switch (function) {",
-          ["    case SystemFunction::kDabs:",
-           "      result.value = conversions_.Make(",
-           "          Pure(OpKind::kAbsF64, {conversions_.Convert(expressions_.Evaluate(argument(0)), double_).id}), double_);",
-           "      break;"])],
+          ['HNC_FUNCTION(Dabs, "dabs", "math.h", "double dabs(double);", Real, OpKind::kAbsF64, Nothing)'])],
         "tests/golden/hnc/library/mathematics", r"\bfabs\b", "dabs"),
 }
 

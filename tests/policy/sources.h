@@ -14,9 +14,8 @@ Findings CheckSizes(const std::string& root, Findings& to_question);
 Findings CheckNames(const std::string& root);
 
 /// `default:` in a switch over an enum of ours (its labels are `case Name::kName`): an enumerator that is forgotten
-/// there compiles. `known` has a line "path count" for each file that still has some: more, fewer or unlisted ones are
-/// findings.
-Findings CheckDefaults(const std::string& root, const std::string& known);
+/// there compiles.
+Findings CheckDefaults(const std::string& root);
 
 /// What clang-format would change.
 Findings CheckFormat(const std::string& root);

@@ -17,6 +17,8 @@
 #include "transpiler/source/characters.h"
 #include "transpiler/source/decode.h"
 #include "transpiler/support/check.h"
+#include "transpiler/support/fnv1a.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::compilation {
 namespace {
@@ -26,13 +28,11 @@ void CheckIr(const ir::Program& program, ir::Stage stage) {
   if (!broken.empty()) support::InternalFault(broken.front().c_str(), __FILE__, __LINE__);
 }
 
-/// Six digits that tell names apart (FNV-1a).
+/// Six digits that tell names apart.
 std::string HashDigits(std::string_view name) {
-  uint32_t hash = 2166136261u;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-  constexpr std::string_view kDigits = "0123456789abcdef";
+  uint32_t hash = support::HashOf32(name);
   std::string digits;
-  for (hash ^= hash >> 24; digits.size() < 6; hash >>= 4) digits += kDigits[hash % kDigits.size()];
+  for (hash ^= hash >> 24; digits.size() < 6; hash >>= 4) digits += support::kHexDigits[hash & 15];
   return digits;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cctype>
 
+#include "transpiler/support/hex.h"
+
 namespace plcxx::diag {
 namespace {
 
@@ -14,14 +16,13 @@ bool IsUriCharacter(unsigned char c) {
 }  // namespace
 
 std::string UriOf(std::string_view path) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string uri = path.starts_with('/') ? "file://" : "";
   for (const char character : path) {
     const auto c = static_cast<unsigned char>(character);
     if (IsUriCharacter(c)) {
       uri += character;
     } else {
-      uri += {'%', kDigits[c >> 4], kDigits[c & 15]};
+      uri += '%' + support::HexDigits(c, 2, support::HexLetters::kCapital);
     }
   }
   return uri;

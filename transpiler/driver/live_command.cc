@@ -36,6 +36,7 @@
 #include "transpiler/live/opened.h"
 #include "transpiler/live/service.h"
 #include "transpiler/scenarios/plan.h"
+#include "transpiler/support/hex.h"
 
 extern char** environ;
 
@@ -73,10 +74,9 @@ struct LiveSettings {
 };
 
 std::string NewToken() {
-  constexpr std::string_view kDigits = "0123456789abcdef";
   std::random_device device;
   std::string token;
-  for (int i = 0; i < 32; ++i) token += kDigits[device() % kDigits.size()];
+  for (int i = 0; i < 32; ++i) token += support::HexDigits(device() & 15);
   return token;
 }
 

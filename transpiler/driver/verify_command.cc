@@ -31,6 +31,7 @@
 #include "transpiler/review/verify/facts.h"
 #include "transpiler/source/read_bytes.h"
 #include "transpiler/support/counted.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::driver {
 namespace {
@@ -74,9 +75,7 @@ struct VerifySettings {
 
 std::string Hex(uint64_t value) {
   if (value < 10) return std::to_string(value);
-  std::string digits;
-  for (; value != 0; value >>= 4) digits.insert(digits.begin(), "0123456789ABCDEF"[value & 15]);
-  return "0x" + digits;
+  return "0x" + support::HexDigits(value, 1, support::HexLetters::kCapital);
 }
 
 std::string DifferenceText(const prove::verify::CodeDifference& difference) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "transpiler/identity/intel_hex.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::identity {
 namespace {
@@ -12,12 +13,8 @@ constexpr std::string_view kMagic = "plcxx-id";
 constexpr uint8_t kLayout = 1;
 constexpr size_t kVersionAt = 9, kOptionsAt = 12, kSourcesAt = 16, kGeneratedAt = 32, kNameAt = 48;
 constexpr size_t kOptionsBytes = 4, kDigestBytes = 16, kNameBytes = 16;
-constexpr std::string_view kHexDigits = "0123456789abcdef";
 
-uint8_t ValueOfDigit(char c) {
-  const size_t at = kHexDigits.find(c);
-  return at == std::string_view::npos ? uint8_t{0} : static_cast<uint8_t>(at);
-}
+uint8_t ValueOfDigit(char c) { return support::HexValue(c).value_or(0); }
 
 void Put(std::array<uint8_t, kBytes>& bytes, size_t at, size_t count, std::string_view digits) {
   for (size_t i = 0; i < count && 2 * i + 1 < digits.size(); ++i)
@@ -27,9 +24,7 @@ void Put(std::array<uint8_t, kBytes>& bytes, size_t at, size_t count, std::strin
 std::string Digits(std::string_view bytes) {
   std::string digits;
   for (const char c : bytes) {
-    const auto byte = static_cast<uint8_t>(c);
-    digits += kHexDigits[byte >> 4];
-    digits += kHexDigits[byte & 0xF];
+    digits += support::HexDigits(static_cast<uint8_t>(c), 2);
   }
   return digits;
 }
@@ -63,9 +58,7 @@ std::string Elements(const Identity& identity) {
   const std::array<uint8_t, kBytes> bytes = BytesOf(identity);
   std::string text;
   for (size_t i = 0; i < bytes.size(); ++i) {
-    text += i % kPerLine == 0 ? "\n    0x" : " 0x";
-    text += kHexDigits[bytes[i] >> 4];
-    text += kHexDigits[bytes[i] & 0xF];
+    text += (i % kPerLine == 0 ? "\n    0x" : " 0x") + support::HexDigits(bytes[i], 2);
     if (i + 1 != bytes.size()) text += ',';
   }
   return text;

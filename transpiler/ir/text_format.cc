@@ -4,11 +4,12 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "transpiler/support/hex.h"
+
 namespace plcxx::ir::text {
 namespace {
 
 constexpr std::string_view kPunctuation = "()[]{},:=";
-constexpr std::string_view kHexDigits = "0123456789abcdef";
 
 bool IsWordCharacter(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -33,9 +34,9 @@ std::optional<std::string> ReadString(std::string_view line, size_t& i) {
     } else if (line[i] == 'n') {
       out += '\n';
     } else if (line[i] == 'x' && i + 2 < line.size()) {
-      const size_t high = kHexDigits.find(line[i + 1]), low = kHexDigits.find(line[i + 2]);
-      if (high == std::string_view::npos || low == std::string_view::npos) return std::nullopt;
-      out += static_cast<char>(high * 16 + low);
+      const std::optional<uint8_t> high = support::HexValue(line[i + 1]), low = support::HexValue(line[i + 2]);
+      if (!high || !low) return std::nullopt;
+      out += static_cast<char>(*high * 16 + *low);
       i += 2;
     } else {
       return std::nullopt;
@@ -56,9 +57,7 @@ std::string Quoted(std::string_view text) {
     } else if (c == '\n') {
       out += "\\n";
     } else if (byte < ' ' || byte == 0x7F) {
-      out += "\\x";
-      out += kHexDigits[byte >> 4];
-      out += kHexDigits[byte & 15];
+      out += "\\x" + support::HexDigits(byte, 2);
     } else {
       out += c;
     }

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <string>
 
+#include "transpiler/support/hex.h"
+
 namespace plcxx::lsp {
 namespace {
 
@@ -113,17 +115,13 @@ std::string PathOfUri(std::string_view uri) {
 }
 
 std::string UriOfPath(std::string_view path) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string uri = "file://";
   for (const char c : path) {
     if (IsPlain(c)) {
       uri += c;
       continue;
     }
-    const auto byte = static_cast<unsigned char>(c);
-    uri += '%';
-    uri += kDigits[byte >> 4];
-    uri += kDigits[byte & 0xF];
+    uri += '%' + support::HexDigits(static_cast<unsigned char>(c), 2, support::HexLetters::kCapital);
   }
   return uri;
 }

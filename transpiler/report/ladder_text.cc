@@ -5,6 +5,7 @@
 
 #include "transpiler/ir/builder.h"
 #include "transpiler/sim/value_text.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::report {
 namespace {
@@ -78,11 +79,7 @@ std::string ConstantText(const ir::Inst& inst) {
   const uint64_t value = ir::ConstantValue(inst);
   if (inst.type == ir::Type::kBit) return value != 0 ? "1" : "0";
   if (inst.c != 16 || sim::IsFloat(inst.type)) return sim::ValueDigits(inst.type, value);
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string digits;
-  for (uint64_t rest = value; rest != 0 || digits.size() < 2; rest >>= 4)
-    digits.insert(digits.begin(), kDigits[rest & 15]);
-  return "0x" + digits;
+  return "0x" + support::HexDigits(value, 2, support::HexLetters::kCapital);
 }
 
 /// Is one the other made safe for C++, "F8_1" of "F 8.1"?

@@ -4,17 +4,12 @@
 #include <unordered_map>
 #include <utility>
 
+#include "transpiler/support/hex.h"
+
 namespace plcxx::report {
 namespace {
 
 bool IsBlank(std::string_view text) { return text.find_first_not_of(" \t\r\f\v") == std::string_view::npos; }
-
-std::string Hexadecimal(uint32_t value) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string out(8, '0');
-  for (size_t i = 8; i-- > 0; value >>= 4) out[i] = kDigits[value & 15];
-  return out;
-}
 
 /// The lines of one file, each with the statement that it belongs to.
 struct OwnedLines {
@@ -64,7 +59,7 @@ class RowMaker {
 void RowMaker::Anchors() {
   std::unordered_map<std::string, uint32_t> count;
   for (const ir::Statement& statement : program_.statements) {
-    std::string anchor = "s-" + Hexadecimal(statement.id);
+    std::string anchor = "s-" + support::HexDigits(statement.id, 8);
     const uint32_t before = count[anchor]++;
     if (before > 0) anchor += "-" + std::to_string(before + 1);
     rows_.anchors.push_back(std::move(anchor));

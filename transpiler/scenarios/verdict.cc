@@ -24,6 +24,7 @@
 #include "transpiler/scenarios/why.h"
 #include "transpiler/sim/simulator.h"
 #include "transpiler/sim/trace.h"
+#include "transpiler/support/fnv1a.h"
 #include "transpiler/support/read_file.h"
 
 namespace plcxx::scenarios {
@@ -36,13 +37,6 @@ struct Engines {
   const sim::LastWrites* writes = nullptr;
   const sim::Simulator* observed = nullptr;
 };
-
-/// FNV-1a: the same on every machine.
-uint32_t ContentHash(std::string_view text) {
-  uint32_t hash = 2166136261U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-  return hash;
-}
 
 class Test {
  public:
@@ -235,7 +229,7 @@ class Test {
 
 bool RunsOn(uint32_t one_in, const Scenario& scenario) {
   if (one_in == 1) return true;
-  return ContentHash(support::ReadFile(scenario.path).value_or("")) % one_in == 0;
+  return support::HashOf32(support::ReadFile(scenario.path).value_or("")) % one_in == 0;
 }
 
 ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program) {

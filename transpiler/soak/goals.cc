@@ -6,6 +6,7 @@
 #include "transpiler/ir/bit_logic.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/sim/simulator.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::soak {
 namespace {
@@ -59,10 +60,9 @@ size_t GoalSet::CountShared(const GoalSet& other) const {
 }
 
 std::string GoalSet::ToHex() const {
-  constexpr std::string_view kDigits = "0123456789abcdef";
   std::string digits;
   for (const uint64_t word : words_) {
-    for (unsigned nibble = 0; nibble < kBits / 4; ++nibble) digits += kDigits[word >> 4 * nibble & 15];
+    for (unsigned nibble = 0; nibble < kBits / 4; ++nibble) digits += support::kHexDigits[word >> 4 * nibble & 15];
   }
   return digits;
 }
@@ -72,10 +72,9 @@ bool GoalSet::FromHex(const std::string& digits, size_t goals) {
   constexpr size_t kNibbles = kBits / 4;
   if (digits.size() != kNibbles * words_.size()) return false;
   for (size_t i = 0; i < digits.size(); ++i) {
-    const char c = digits[i];
-    const int value = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-    if (value < 0) return false;
-    words_[i / kNibbles] |= static_cast<uint64_t>(value) << 4 * (i % kNibbles);
+    const std::optional<uint8_t> value = support::HexValue(digits[i]);
+    if (!value) return false;
+    words_[i / kNibbles] |= uint64_t{*value} << 4 * (i % kNibbles);
   }
   for (size_t i = goals; i < kBits * words_.size(); ++i) {
     if (Has(i)) return false;

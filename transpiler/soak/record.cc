@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "transpiler/ir/printer.h"
+#include "transpiler/support/fnv1a.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::soak {
 namespace {
@@ -13,13 +15,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kVersion = 1;
 constexpr size_t kLongestText = 100;
 
-std::string Hash64(std::string_view text) {
-  uint64_t hash = 0xCBF29CE484222325;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
-  std::string digits;
-  for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[hash >> shift & 15];
-  return digits;
-}
+std::string Hash64(std::string_view text) { return support::HexDigits(support::HashOf64(text), 16); }
 
 constexpr std::string_view kGoalLetters = "sck";  // by GoalKind
 constexpr std::string_view kCauseWords[] = {"property", "fault",   "loop",

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "transpiler/support/hex.h"
+
 namespace plcxx::yaml {
 namespace {
 
 constexpr int kBlockIndent = 2;  // of a block beyond its key
 
 std::string InDoubleQuotes(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
   std::string quoted = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -17,8 +18,7 @@ std::string InDoubleQuotes(std::string_view text) {
     } else if (c == '\n') {
       quoted += "\\n";
     } else if (byte < 0x20 || byte == 0x7F) {
-      quoted += "\\x";
-      quoted += {kDigits[byte >> 4], kDigits[byte & 15]};
+      quoted += "\\x" + support::HexDigits(byte, 2);
     } else {
       quoted += c;
     }

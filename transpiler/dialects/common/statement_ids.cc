@@ -1,5 +1,7 @@
 #include "transpiler/dialects/common/statement_ids.h"
 
+#include "transpiler/support/hex.h"
+
 namespace plcxx::dialects {
 
 uint32_t StatementIds::Next(TextHash text) {
@@ -11,12 +13,7 @@ uint32_t StatementIds::Next(TextHash text) {
 }
 
 std::string NameInStatement(std::string_view name, uint32_t statement) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  constexpr int kBits = 16;
-  std::string result(name);
-  result += '_';
-  for (int shift = kBits - 4; shift >= 0; shift -= 4) result += kDigits[(statement >> shift) & 0xF];
-  return result;
+  return std::string(name) + '_' + support::HexDigits(statement & 0xFFFF, 4);
 }
 
 }  // namespace plcxx::dialects

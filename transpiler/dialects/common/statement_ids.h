@@ -8,17 +8,12 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "transpiler/support/fnv1a.h"
+
 namespace plcxx::dialects {
 
-/// A running hash (FNV-1a) of what makes the text of a statement; which characters count is the language's matter.
-class TextHash {
- public:
-  constexpr void Add(char c) { value_ = (value_ ^ static_cast<unsigned char>(c)) * 16777619U; }
-  constexpr uint32_t value() const { return value_; }
-
- private:
-  uint32_t value_ = 2166136261U;
-};
+/// A running hash of what makes the text of a statement; which characters count is the language's matter.
+using TextHash = support::Fnv1a32;
 
 class StatementIds {
  public:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "transpiler/dialects/hnc/machine.h"
 #include "transpiler/dialects/hnc/walk.h"
 
 namespace plcxx::hnc {
@@ -298,22 +299,14 @@ void Facts::FindTargets() {
 
 ObjectSet Facts::SystemWrites(const Expr& call) const {
   ObjectSet set;
-  switch (*unit_.functions[call.function].system) {
-    case SystemFunction::kSetAxisHome:
-    case SystemFunction::kSetAxisJog:
-    case SystemFunction::kSetAxisStep:
-    case SystemFunction::kSetAxisMove:
-    case SystemFunction::kSetAxisMoveto:
-    case SystemFunction::kSetAxisStop:
-    case SystemFunction::kHandwheel:
+  switch (RowOf(*unit_.functions[call.function].system).writes) {
+    case FunctionWrites::kNothing:
+      break;
+    case FunctionWrites::kAxisRegisters:
       set.Add(objects_.OfArea(Area::kG));
       break;
-    case SystemFunction::kMemset:
-    case SystemFunction::kMemcpy:
-    case SystemFunction::kMemmove:
+    case FunctionWrites::kTarget:
       if (!call.arguments.empty()) set.Add(TargetsOf(call.arguments[0]));
-      break;
-    default:
       break;
   }
   return set;

@@ -15,9 +15,11 @@ constexpr ViewRow kViews[] = {
 #include "transpiler/dialects/hnc/machine.def"
 };
 
+using ir::OpKind;
+
 constexpr FunctionRow kFunctions[] = {
-#define HNC_FUNCTION(Name, Text, Headers, Prototype, Reads) \
-  {SystemFunction::k##Name, Text, Headers, Prototype, FunctionReads::k##Reads},
+#define HNC_FUNCTION(Name, Text, Headers, Prototype, Form, Operation, Writes) \
+  {SystemFunction::k##Name, Text, Headers, Prototype, FunctionForm::k##Form, Operation, FunctionWrites::k##Writes},
 #include "transpiler/dialects/hnc/functions.def"
 };
 

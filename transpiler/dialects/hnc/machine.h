@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "transpiler/dialects/hnc/syntax.h"
+#include "transpiler/ir/op.h"
 
 namespace plcxx::hnc {
 
@@ -40,15 +41,31 @@ struct SystemName {
 /// None when it is no view of an area.
 std::optional<SystemName> FindSystemName(std::string_view name);
 
-/// What the result of a supplied function follows from.
-enum class FunctionReads : uint8_t { kArguments, kMemory };
+/// How a call of a function is lowered.
+enum class FunctionForm : uint8_t {
+  kControl,   // axes, handwheels, set_mst_func: lowering/system_calls.h
+  kAbsolute,  // one operation of an integer
+  kRotation,  // one operation of an integer and a count
+  kReal,      // one operation of a double
+  kMemory,    // of bytes behind pointers
+  kCritical,  // a statement of the tree; in an expression it does nothing
+};
+
+enum class FunctionWrites : uint8_t {
+  kNothing,
+  kAxisRegisters,  // G
+  kTarget,         // what its first argument points to
+};
 
 struct FunctionRow {
   SystemFunction function;
   std::string_view name;       // "set_axis_home"
   std::string_view headers;    // after which it is known, with blanks in between
   std::string_view prototype;  // "void set_axis_home(int, int);"
-  FunctionReads reads;
+  FunctionForm form;
+  /// Of kAbsolute, kRotation and kReal: the result follows from the arguments alone, and nothing is written.
+  std::optional<ir::OpKind> operation;
+  FunctionWrites writes;
 };
 
 std::span<const FunctionRow> SystemFunctions();

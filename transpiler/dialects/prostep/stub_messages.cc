@@ -4,6 +4,7 @@
 
 #include "transpiler/dialects/prostep/memory.h"
 #include "transpiler/dialects/prostep/stub.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::prostep {
 namespace {
@@ -30,14 +31,10 @@ size_t ByteOfCharacter(std::string_view text, size_t character) {
 
 std::string Digits(const Field& field, bool& negative) {
   const uint32_t bits = (field.flags & kIsDouble) != 0 ? 32 : 16;
-  std::string digits;
   if ((field.flags & kIsBcd) != 0) {
     negative = (field.flags & kBcdMinus) != 0;
-    for (int shift = static_cast<int>(bits) - 4; shift >= 0; shift -= 4) {
-      digits.push_back("0123456789ABCDEF"[field.value >> shift & 15]);
-    }
-    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
-    return digits;
+    const uint64_t value = bits == 32 ? field.value : field.value & 0xFFFF;
+    return value == 0 ? "" : support::HexDigits(value, 1, support::HexLetters::kCapital);
   }
   const uint32_t sign = 1u << (bits - 1);
   negative = (field.value & sign) != 0;

@@ -5,6 +5,7 @@
 
 #include "transpiler/dialects/technol/lexer.h"
 #include "transpiler/dialects/technol/machine.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::technol {
 namespace {
@@ -68,13 +69,8 @@ TableImage ImageOf(const TechnologyTable& table) {
 }
 
 std::string ItemText(uint32_t item) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
   constexpr uint32_t kMagnitude = 0x7FFFFFFF;
-  std::string text;
-  for (int digit = 7; digit >= 0; --digit) {
-    const uint32_t value = ((item & kMagnitude) >> (digit * 4)) & 0xFU;
-    if (value != 0 || digit <= 3 || !text.empty()) text += kDigits[value];
-  }
+  std::string text = support::HexDigits(item & kMagnitude, 4, support::HexLetters::kCapital);
   text.insert(text.size() - 3, ".");
   return item > 0x80000000U ? "-" + text : text;
 }

@@ -18,6 +18,7 @@
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/items.h"
 #include "transpiler/ir/slices.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::emit::legalize {
 namespace {
@@ -183,10 +184,7 @@ void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, s
     break;
   }
   if (!names.insert(name).second) {
-    constexpr char kHex[] = "0123456789abcdef";
-    std::string hash = "_";
-    for (int shift = 28; shift >= 0; shift -= 4) hash += kHex[id >> shift & 15];
-    name += hash;
+    name += "_" + support::HexDigits(id, 8);
     for (uint32_t i = 2; !names.insert(name).second; ++i) name += "_" + std::to_string(i);
   }
   const auto index = static_cast<uint32_t>(emittable.chunks.size());

@@ -8,6 +8,7 @@
 #include "transpiler/emit/print/cpp_printer.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/support/check.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::emit::print {
 namespace {
@@ -17,17 +18,11 @@ using ir::Precedence;
 constexpr std::string_view kChoice = "({0} ?";  // how rows of ops.def begin that choose one of two values
 
 std::string Hex(uint64_t value, uint32_t digits) {
-  constexpr char kHex[] = "0123456789ABCDEF";
-  std::string out;
-  do {
-    out.insert(out.begin(), kHex[value & 15]);
-    value >>= 4;
-  } while (value != 0 || out.size() < digits);
-  return "0x" + out;
+  return "0x" + support::HexDigits(value, digits, support::HexLetters::kCapital);
 }
 
 /// As many as a byte, a word, a double word has: the mask 0x20 is spelled alike wherever it is used.
-uint32_t HexDigits(uint64_t value) {
+uint32_t DigitsOfWidth(uint64_t value) {
   if (value <= 0xFF) return 2;
   if (value <= 0xFFFF) return 4;
   return value <= 0xFFFFFFFF ? 8 : 16;
@@ -51,7 +46,7 @@ std::string FloatText(T value, std::string_view suffix) {
 Spelling SpellConstant(const ir::Inst& inst) {
   const uint64_t value = ir::ConstantValue(inst);
   const bool integer = inst.type != ir::Type::kBit && inst.type != ir::Type::kF32 && inst.type != ir::Type::kF64;
-  if (integer && inst.c == 16) return {Hex(value, HexDigits(value)), Precedence::kPrimary};
+  if (integer && inst.c == 16) return {Hex(value, DigitsOfWidth(value)), Precedence::kPrimary};
   const std::string text = ConstantText(inst.type, value);
   return {text, text.front() == '-' ? Precedence::kUnary : Precedence::kPrimary};
 }

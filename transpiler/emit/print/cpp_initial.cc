@@ -3,6 +3,7 @@
 #include <map>
 
 #include "transpiler/emit/print/part_printer.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::emit::print {
 namespace {
@@ -14,8 +15,7 @@ constexpr uint32_t kBytesPerRow = 16;   // of a table; a row begins at a multipl
 constexpr uint32_t kBitBytesPerRow = 1;
 
 std::string HexByte(uint64_t value) {
-  constexpr char kHex[] = "0123456789ABCDEF";
-  return std::string("0x") + kHex[value >> 4 & 15] + kHex[value & 15];
+  return "0x" + support::HexDigits(value & 0xFF, 2, support::HexLetters::kCapital);
 }
 
 }  // namespace

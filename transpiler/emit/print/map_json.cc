@@ -5,12 +5,12 @@
 
 #include "transpiler/emit/print/print.h"
 #include "transpiler/ir/place_names.h"
+#include "transpiler/support/hex.h"
 
 namespace plcxx::emit::print {
 namespace {
 
 std::string Json(std::string_view text) {
-  constexpr char kHex[] = "0123456789abcdef";
   std::string out = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -18,9 +18,7 @@ std::string Json(std::string_view text) {
       out += '\\';
       out += c;
     } else if (code < 0x20) {
-      out += "\\u00";
-      out += kHex[code >> 4];
-      out += kHex[code & 15];
+      out += "\\u" + support::HexDigits(code, 4);
     } else {
       out += c;
     }

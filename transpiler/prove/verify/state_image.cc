@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "transpiler/support/fnv1a.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 #include "transpiler/symbolic/terms/gather.h"
 
@@ -11,13 +12,6 @@ namespace {
 
 constexpr uint32_t kNowhere = 0xFFFFFFFF;
 constexpr uint32_t kHashBytes = 4;  // in front of the retentive bytes
-
-/// FNV-1a, as NC110 4.5 has it of the retentive block's layout.
-uint32_t Fnv1a(std::string_view text) {
-  uint32_t hash = 0x811C9DC5;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
-  return hash;
-}
 
 }  // namespace
 
@@ -58,7 +52,7 @@ void StateImage::HashLayout() {
   for (const ir::Space& space : program_.spaces) {
     if (space.lifetime == ir::Lifetime::kRetentive) text += " " + space.name + "[" + std::to_string(space.bytes) + "]";
   }
-  layout_hash_ = Fnv1a(text);
+  layout_hash_ = support::HashOf32(text);  // as plcxx::LayoutHash has it
 }
 
 void StateImage::PlaceSpaces() {

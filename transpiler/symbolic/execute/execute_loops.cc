@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "transpiler/support/fnv1a.h"
 #include "transpiler/symbolic/execute/executor.h"
 #include "transpiler/symbolic/execute/summary.h"
 
@@ -128,10 +129,8 @@ void Executor::ExecuteSummary(ir::InstId id) {
   }
   if (word.valid()) arguments.push_back(word);
   arguments.push_back(memory_.environment().now);
-  uint64_t hash = 0xCBF29CE484222325;
-  for (const char c : summary.text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
-  const std::string name =
-      std::string(kLoopFunction) + std::to_string(hash) + "." + std::to_string(summary.text.size());
+  const std::string name = std::string(kLoopFunction) + std::to_string(support::HashOf64(summary.text)) + "." +
+                           std::to_string(summary.text.size());
   const terms::TermId known = terms_.Apply(terms_.Function(name, 64), arguments);
   const auto result = [&](const std::string& what, uint8_t width, terms::TermId before = {}) {
     const std::array<terms::TermId, 2> from = {known, before};

@@ -22,6 +22,19 @@ int64_t Wrapped(int64_t value, const Type& type) {
   return negative ? static_cast<int64_t>(raw) - (int64_t{1} << type.bits) : static_cast<int64_t>(raw);
 }
 
+/// An operation of words whose low byte is that of an operation of bytes.
+struct NarrowedOperation {
+  OpKind word;
+  OpKind byte;
+  bool only_of_narrow;  // shorter only when both operands are bytes
+};
+
+constexpr NarrowedOperation kNarrowedOperations[] = {
+    {OpKind::kAnd16, OpKind::kAnd8, false}, {OpKind::kOr16, OpKind::kOr8, false},
+    {OpKind::kXor16, OpKind::kXor8, false}, {OpKind::kAdd16, OpKind::kAdd8, true},
+    {OpKind::kSub16, OpKind::kSub8, true},
+};
+
 }  // namespace
 
 Value Conversions::Make(ValueId id, TypeId type) {
@@ -62,44 +75,24 @@ Value Conversions::FromBit(ValueId bit) { return {.id = bit, .type = int_, .is_b
 
 ValueId Conversions::Narrow8(ValueId value) {
   const ir::Inst inst = program_[value];
-  const auto both = [&](OpKind op) { return Pure(op, {Narrow8(ValueId(inst.a)), Narrow8(ValueId(inst.b))}); };
   const auto is_narrow = [this](uint32_t word) {
     const OpKind op = program_[ValueId(word)].op;
     return op == OpKind::kWiden8To16 || op == OpKind::kSignExtend8To16 || op == OpKind::kConst;
   };
-  switch (inst.op) {
-    case OpKind::kWiden8To16:
-    case OpKind::kSignExtend8To16:
-    case OpKind::kWiden8To32:
-    case OpKind::kSignExtend8To32:
-      return ValueId(inst.a);
-    case OpKind::kConst:
-      if (inst.type == ir::Type::kI16) return builder_.Constant(ir::Type::kI8, inst.a & 0xFF, inst.c);
-      break;
-    case OpKind::kMinus16:
-      if (program_[ValueId(inst.a)].op == OpKind::kConst) {
-        return builder_.Constant(ir::Type::kI8, (0x100 - (program_[ValueId(inst.a)].a & 0xFF)) & 0xFF);
-      }
-      break;
-    case OpKind::kAnd16:
-      return both(OpKind::kAnd8);
-    case OpKind::kOr16:
-      return both(OpKind::kOr8);
-    case OpKind::kXor16:
-      return both(OpKind::kXor8);
-    case OpKind::kSelect16:
-      if (!is_narrow(inst.b) || !is_narrow(inst.c)) break;
-      return Pure(OpKind::kSelect8, {ValueId(inst.a), Narrow8(ValueId(inst.b)), Narrow8(ValueId(inst.c))});
-    case OpKind::kNot16:
-      return Pure(OpKind::kNot8, {Narrow8(ValueId(inst.a))});
-    case OpKind::kAdd16:
-      if (is_narrow(inst.a) && is_narrow(inst.b)) return both(OpKind::kAdd8);
-      break;
-    case OpKind::kSub16:
-      if (is_narrow(inst.a) && is_narrow(inst.b)) return both(OpKind::kSub8);
-      break;
-    default:
-      break;
+  for (const OpKind widening :
+       {OpKind::kWiden8To16, OpKind::kSignExtend8To16, OpKind::kWiden8To32, OpKind::kSignExtend8To32}) {
+    if (inst.op == widening) return ValueId(inst.a);
+  }
+  if (inst.op == OpKind::kConst && inst.type == ir::Type::kI16)
+    return builder_.Constant(ir::Type::kI8, inst.a & 0xFF, inst.c);
+  if (inst.op == OpKind::kMinus16 && program_[ValueId(inst.a)].op == OpKind::kConst)
+    return builder_.Constant(ir::Type::kI8, (0x100 - (program_[ValueId(inst.a)].a & 0xFF)) & 0xFF);
+  if (inst.op == OpKind::kSelect16 && is_narrow(inst.b) && is_narrow(inst.c))
+    return Pure(OpKind::kSelect8, {ValueId(inst.a), Narrow8(ValueId(inst.b)), Narrow8(ValueId(inst.c))});
+  if (inst.op == OpKind::kNot16) return Pure(OpKind::kNot8, {Narrow8(ValueId(inst.a))});
+  for (const NarrowedOperation& row : kNarrowedOperations) {
+    if (inst.op == row.word && (!row.only_of_narrow || (is_narrow(inst.a) && is_narrow(inst.b))))
+      return Pure(row.byte, {Narrow8(ValueId(inst.a)), Narrow8(ValueId(inst.b))});
   }
   return Pure(inst.type == ir::Type::kI32 ? OpKind::kLowByte32 : OpKind::kLowByte16, {value});
 }

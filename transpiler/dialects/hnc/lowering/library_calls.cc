@@ -11,6 +11,8 @@
 #include "transpiler/dialects/hnc/lowering/intervals.h"
 #include "transpiler/dialects/hnc/lowering/locals.h"
 #include "transpiler/dialects/hnc/lowering/pointers.h"
+#include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
 
@@ -18,17 +20,17 @@ using ir::OpKind;
 using ir::ValueId;
 
 CallResult LibraryCalls::Call(const Expr& expr) {
-  const SystemFunction function = *unit_.functions[expr.function].system;
+  const FunctionRow& row = RowOf(*unit_.functions[expr.function].system);
   const auto argument = [&](size_t i) { return expr.arguments[i]; };
   CallResult result;
-  switch (function) {
-    case SystemFunction::kAbs:
-    case SystemFunction::kLabs: {
+  switch (row.form) {
+    case FunctionForm::kControl:
+      PLCXX_UNREACHABLE();  // system_calls.h
+    case FunctionForm::kAbsolute: {
       const Value value = expressions_.Evaluate(argument(0));
       // With abs=long the parameter may be unsigned or double (headers.cc).
-      const bool wide = function == SystemFunction::kLabs;
-      const Value number = conversions_.Convert(value, wide ? long_ : int_);
-      Value absolute = conversions_.Make(Pure(wide ? OpKind::kAbs32 : OpKind::kAbs16, {number.id}), number.type);
+      const Value number = conversions_.Convert(value, *row.operation == OpKind::kAbs32 ? long_ : int_);
+      Value absolute = conversions_.Make(Pure(*row.operation, {number.id}), number.type);
       const Bounds& b = number.bounds;
       if (b.low > BoundsOf(TypeAt(number.type)).low) {
         absolute.bounds = {b.low > 0 ? b.low : b.high < 0 ? -b.high : 0, std::max(std::abs(b.low), std::abs(b.high))};
@@ -36,38 +38,22 @@ CallResult LibraryCalls::Call(const Expr& expr) {
       result.value = absolute;
       break;
     }
-    case SystemFunction::kRotl:
-    case SystemFunction::kRotr:
-    case SystemFunction::kLrotl:
-    case SystemFunction::kLrotr: {
+    case FunctionForm::kRotation: {
       const ValueId count = conversions_.AsIndex(expressions_.Evaluate(argument(1)));
       const Value value = expressions_.Evaluate(argument(0));
-      const bool wide = function == SystemFunction::kLrotl || function == SystemFunction::kLrotr;
-      const bool left = function == SystemFunction::kRotl || function == SystemFunction::kLrotl;
-      const OpKind op = wide ? (left ? OpKind::kRotateLeft32 : OpKind::kRotateRight32)
-                             : (left ? OpKind::kRotateLeft16 : OpKind::kRotateRight16);
+      const bool wide = *row.operation == OpKind::kRotateLeft32 || *row.operation == OpKind::kRotateRight32;
       const TypeId type = wide ? unsigned_long_ : unsigned_;
-      result.value = conversions_.Make(Pure(op, {conversions_.Convert(value, type).id, count}), type);
+      result.value = conversions_.Make(Pure(*row.operation, {conversions_.Convert(value, type).id, count}), type);
       break;
     }
-    case SystemFunction::kFabs:
-    case SystemFunction::kFloor:
-    case SystemFunction::kCeil:
-    case SystemFunction::kSqrt: {
+    case FunctionForm::kReal: {
       const Value value = conversions_.Convert(expressions_.Evaluate(argument(0)), double_);
-      const OpKind op = function == SystemFunction::kFabs    ? OpKind::kAbsF64
-                        : function == SystemFunction::kFloor ? OpKind::kFloorF64
-                        : function == SystemFunction::kCeil  ? OpKind::kCeilF64
-                                                             : OpKind::kSqrtF64;
-      result.value = conversions_.Make(Pure(op, {value.id}), double_);
+      result.value = conversions_.Make(Pure(*row.operation, {value.id}), double_);
       break;
     }
-    case SystemFunction::kMemset:
-    case SystemFunction::kMemcpy:
-    case SystemFunction::kMemmove:
-    case SystemFunction::kMemcmp:
+    case FunctionForm::kMemory:
       return MemoryFunction(expr);
-    default:
+    case FunctionForm::kCritical:
       break;
   }
   return result;

@@ -52,7 +52,7 @@ bool FindCounter(const Unit& unit, ExprId side, Relation& relation) {
 bool MayDiffer(const Unit& unit, const Expr& expr) {
   if (expr.kind != ExprKind::kCall) return false;
   const std::optional<SystemFunction> system = unit.functions[expr.function].system;
-  return !system || RowOf(*system).reads != FunctionReads::kArguments;
+  return !system || !RowOf(*system).operation.has_value();
 }
 
 /// The first function that an expression calls and that may return another value; empty: it calls none.

@@ -14,7 +14,7 @@ consteval SystemParameter Long(std::string_view name) { return {name, ir::Type::
 
 constexpr SystemSignature kSignatures[] = {
 #define HNC_SYSTEM_FUNCTION(name, host, comment, result, outside, ...) \
-  {SystemFunction::k##name, host, comment, SystemResult::k##result, outside, {{__VA_ARGS__}}},
+  {SystemFunction::k##name, SystemRoutine::k##name, host, comment, SystemResult::k##result, outside, {{__VA_ARGS__}}},
 #include "transpiler/dialects/hnc/lowering/system_functions.def"
 };
 

@@ -21,8 +21,15 @@ struct SystemParameter {
 
 enum class SystemResult : uint8_t { kNone, kInt, kLong, kTruth };
 
+/// Those that have a row here, for what is said of each of them.
+enum class SystemRoutine : uint8_t {
+#define HNC_SYSTEM_FUNCTION(name, ...) k##name,
+#include "transpiler/dialects/hnc/lowering/system_functions.def"
+};
+
 struct SystemSignature {
   SystemFunction function;
+  SystemRoutine routine;
   std::string_view host_name;
   std::string_view comment;
   SystemResult result;

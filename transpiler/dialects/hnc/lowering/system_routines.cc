@@ -75,7 +75,7 @@ ir::RoutineId SystemRoutines::Routine(SystemFunction function) {
     program_.routines[id].result_place = result;
   }
   builder_.SetRegion(program_.routines[id].body);
-  Build(function, id);
+  Build(signature.routine, id);
   builder_.SetRegion(outside);
   locals_.Resume(outer);
   return id;
@@ -88,7 +88,7 @@ void SystemRoutines::CallAgain(SystemFunction function, std::vector<ValueId> arg
       std::move(arguments));
 }
 
-void SystemRoutines::Build(SystemFunction function, ir::RoutineId id) {
+void SystemRoutines::Build(SystemRoutine routine, ir::RoutineId id) {
   const std::vector<ir::PlaceId> places = program_.routines[id].parameter_places;
   const auto parameter = [&](size_t i) { return builder_.Load(places[i]); };
   const auto axis = [&] { return Pure(OpKind::kWiden16To32, {parameter(0)}); };
@@ -101,8 +101,8 @@ void SystemRoutines::Build(SystemFunction function, ir::RoutineId id) {
     return place;
   };
   const ir::PlaceId result = program_.routines[id].result_place;
-  switch (function) {
-    case SystemFunction::kSetAxisHome:
+  switch (routine) {
+    case SystemRoutine::kSetAxisHome:
       builder_.Choose(
           Pure(OpKind::kNotEqual16, {parameter(1), Word(0)}),
           [&] {
@@ -116,10 +116,10 @@ void SystemRoutines::Build(SystemFunction function, ir::RoutineId id) {
                         axis());
           });
       return;
-    case SystemFunction::kSetAxisJog:
+    case SystemRoutine::kSetAxisJog:
       SetAxisWord(4, ir::Type::kI16, parameter(1), axis());
       return;
-    case SystemFunction::kSetAxisStep:
+    case SystemRoutine::kSetAxisStep:
       builder_.When(Pure(OpKind::kNotEqual32, {parameter(1), Long(0)}), [&] {
         const ir::PlaceId l = local("l", ir::Type::kI32, Pure(OpKind::kAdd32, {pic_a(), parameter(1)}));
         const ValueId parts = Pure(OpKind::kSignedDiv32, {Pure(OpKind::kAbs32, {builder_.Load(l)}), Long(200)});
@@ -133,7 +133,7 @@ void SystemRoutines::Build(SystemFunction function, ir::RoutineId id) {
         SetAxisWord(3, ir::Type::kI16, Pure(OpKind::kLowHalf32, {builder_.Load(v)}), axis());
       });
       return;
-    case SystemFunction::kSetAxisMove:
+    case SystemRoutine::kSetAxisMove:
       builder_.When(Pure(OpKind::kNotEqual32, {parameter(1), Long(0)}), [&] {
         const auto magnitude16 = [&](ValueId value) {
           return Pure(OpKind::kSignExtend16To32, {Pure(OpKind::kAbs16, {value})});
@@ -150,7 +150,7 @@ void SystemRoutines::Build(SystemFunction function, ir::RoutineId id) {
         SetAxisWord(1, ir::Type::kI32, Pure(OpKind::kAdd32, {pic_a(), parameter(1)}), axis());
       });
       return;
-    case SystemFunction::kSetAxisMoveto: {
+    case SystemRoutine::kSetAxisMoveto: {
       const FunctionId own = Replacement(SystemFunction::kGetAxisPos);
       const ir::RoutineId get = own.valid() && placement_.routines[own.index].valid()
                                     ? placement_.routines[own.index]
@@ -160,7 +160,7 @@ void SystemRoutines::Build(SystemFunction function, ir::RoutineId id) {
       CallAgain(SystemFunction::kSetAxisMove, {parameter(0), way, parameter(2)});
       return;
     }
-    case SystemFunction::kSetAxisStop: {
+    case SystemRoutine::kSetAxisStop: {
       const ir::PlaceId l = local("l", ir::Type::kI32, pic_a());
       const ValueId product = Pure(OpKind::kMul32, {Pure(OpKind::kSignExtend16To32, {speed()}), iip()});
       const ir::PlaceId b = local("b", ir::Type::kI32, Pure(OpKind::kSignedDiv32, {product, Long(200)}));
@@ -183,23 +183,23 @@ void SystemRoutines::Build(SystemFunction function, ir::RoutineId id) {
       CallAgain(SystemFunction::kSetAxisHome, {parameter(0), Word(0)});
       return;
     }
-    case SystemFunction::kGetAxisPos:
+    case SystemRoutine::kGetAxisPos:
       builder_.Store(result, Pure(OpKind::kAdd32, {AxisWord(Area::kF, 1, ir::Type::kI32, axis()), pic_a()}));
       return;
-    case SystemFunction::kGetAxisDen: {
+    case SystemRoutine::kGetAxisDen: {
       const ValueId rests = Pure(OpKind::kEqual32, {pic_a(), Long(0)});
       const ValueId jogs = Pure(OpKind::kNotEqual16, {AxisWord(Area::kG, 4, ir::Type::kI16, axis()), Word(0)});
       const ValueId done = Pure(OpKind::kBitAnd, {rests, Pure(OpKind::kBitNot, {jogs})});
       builder_.Store(result, Pure(OpKind::kWiden1To16, {done}));
       return;
     }
-    case SystemFunction::kGetHandwheel: {
+    case SystemRoutine::kGetHandwheel: {
       const auto wheel = [&] { return Pure(OpKind::kWiden16To32, {parameter(0)}); };
       builder_.Store(result, builder_.Load(HandwheelPlace(), wheel()));
       builder_.Store(HandwheelPlace(), Word(0), wheel());
       return;
     }
-    case SystemFunction::kHandwheel: {
+    case SystemRoutine::kHandwheel: {
       const ValueId counts = builder_.CallRoutine(Routine(SystemFunction::kGetHandwheel), {parameter(0)});
       const ir::PlaceId n = local("n", ir::Type::kI16, counts);
       const ValueId way = Pure(OpKind::kMul32, {Pure(OpKind::kSignExtend16To32, {builder_.Load(n)}),
@@ -207,8 +207,6 @@ void SystemRoutines::Build(SystemFunction function, ir::RoutineId id) {
       CallAgain(SystemFunction::kSetAxisStep, {parameter(1), way});
       return;
     }
-    default:
-      return;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "transpiler/dialects/hnc/lowering/context.h"
+#include "transpiler/dialects/hnc/lowering/system_functions.h"
 
 namespace plcxx::hnc {
 
@@ -31,7 +32,7 @@ class SystemRoutines : Context {
   ir::PlaceId HandwheelPlace();
   /// The function, or what the program has in its place (D13).
   void CallAgain(SystemFunction function, std::vector<ir::ValueId> arguments);
-  void Build(SystemFunction function, ir::RoutineId id);
+  void Build(SystemRoutine routine, ir::RoutineId id);
 
   Memory& memory_;
   CellPlaces& places_;
