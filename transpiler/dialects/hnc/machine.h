@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "transpiler/dialects/hnc/syntax.h"
+#include "transpiler/dialects/hnc/control_names.h"
 #include "transpiler/ir/op.h"
 
 namespace plcxx::hnc {

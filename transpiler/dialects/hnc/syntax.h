@@ -19,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "transpiler/dialects/hnc/control_names.h"
 #include "transpiler/source/source.h"
 #include "transpiler/support/ids.h"
 
@@ -79,21 +80,12 @@ struct Record {
 
 // --- the control's own names --------------------------------------------------------------------------------
 
-/// The register areas in the order of 5.1.
-enum class Area : uint8_t { kX, kY, kR, kF, kG, kP, kB };
-
 /// What a name of the system header is bound to (9.2). `table`: F_T and G_T, whose elements are addresses.
 struct SystemView {
   Area area = Area::kX;
   bool table = false;
   TypeId element;      // of the view; of a table: what its pointers point to
   uint32_t count = 0;  // elements (5.2); of a table 256
-};
-
-/// Functions that the product supplies (6.10, 6.11). A program's own definition is an ordinary function.
-enum class SystemFunction : uint8_t {
-#define HNC_FUNCTION(Name, ...) k##Name,
-#include "transpiler/dialects/hnc/functions.def"
 };
 
 // --- declarations -------------------------------------------------------------------------------------------

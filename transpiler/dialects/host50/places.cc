@@ -4,7 +4,6 @@
 #include <array>
 
 #include "transpiler/dialects/host50/addresses.h"
-#include "transpiler/dialects/host50/syntax.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::host50 {

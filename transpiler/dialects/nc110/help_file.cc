@@ -6,6 +6,7 @@
 #include "transpiler/dialects/nc110/lexer.h"
 #include "transpiler/dialects/nc110/options.h"
 #include "transpiler/dialects/nc110/parser.h"
+#include "transpiler/dialects/nc110/tokens.h"
 
 namespace plcxx::nc110 {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "transpiler/dialects/nc110/syntax.h"
+#include "transpiler/dialects/nc110/operands.h"
 #include "transpiler/ir/program.h"
 
 namespace plcxx::nc110 {

@@ -12,9 +12,19 @@
 
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/dialects/nc110/machine.h"
-#include "transpiler/dialects/nc110/parser.h"
 
 namespace plcxx::nc110 {
+
+/// How sources are read.
+enum class XorPrecedence : uint8_t { kSameAsOr, kAboveOr };
+
+struct ParseOptions {
+  bool strict_case = false;        // lower-case keywords and operands are error 1 instead of W305
+  bool accept_homoglyphs = false;  // Cyrillic look-alikes are mapped, one warning per file
+  bool enable_dow = false;         // DOW ... ENDW is a loop instead of NC104
+  XorPrecedence xor_precedence = XorPrecedence::kSameAsOr;
+  uint32_t max_symbols = 1000;  // SPL
+};
 
 /// When CnnR falls again (specification D9).
 enum class CarryEnd : uint8_t { kScan, kInput, kNext };

@@ -318,12 +318,4 @@ Program Parse(const source::SourceManager& sources, std::span<const source::File
   return Parser(sources, options, diagnostics).Run(files);
 }
 
-Operand OperandFromText(std::string_view text) {
-  if (text.empty() || !std::all_of(text.begin(), text.end(), [](char c) { return IsLetter(c) || IsDigit(c); })) {
-    return {};
-  }
-  const Decoded decoded = Decode(text);
-  return decoded.fault == OperandFault::kNone ? decoded.operand : Operand{};
-}
-
 }  // namespace plcxx::nc110

@@ -10,20 +10,11 @@
 #include <string>
 
 #include "transpiler/diagnostics/diagnostics.h"
+#include "transpiler/dialects/nc110/options.h"
 #include "transpiler/dialects/nc110/syntax.h"
 #include "transpiler/source/source.h"
 
 namespace plcxx::nc110 {
-
-enum class XorPrecedence : uint8_t { kSameAsOr, kAboveOr };
-
-struct ParseOptions {
-  bool strict_case = false;        // lower-case keywords and operands are error 1 instead of W305
-  bool accept_homoglyphs = false;  // Cyrillic look-alikes are mapped, one warning per file
-  bool enable_dow = false;         // DOW ... ENDW is a loop instead of NC104
-  XorPrecedence xor_precedence = XorPrecedence::kSameAsOr;
-  uint32_t max_symbols = 1000;  // SPL
-};
 
 /// The files of one program, in order. More than 10 files: error 51 and an empty tree.
 Program Parse(const source::SourceManager& sources, std::span<const source::FileId> files, const ParseOptions& options,
@@ -33,8 +24,5 @@ Program Parse(const source::SourceManager& sources, std::span<const source::File
 std::string PrintTokens(const source::SourceManager& sources, source::FileId file, const ParseOptions& options);
 /// One item per line with its expressions in prefix form, for `plcxx print syntax`.
 std::string PrintSyntax(const source::SourceManager& sources, const Program& program);
-
-/// An operand from outside a program (options, scenarios): its spelling, complete and in range, else kind kNone.
-Operand OperandFromText(std::string_view text);
 
 }  // namespace plcxx::nc110

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "transpiler/dialects/nc110/syntax.h"
+#include "transpiler/dialects/nc110/operands.h"
 #include "transpiler/ir/program.h"
 
 namespace plcxx::nc110 {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "transpiler/dialects/nc110/syntax.h"
+#include "transpiler/dialects/nc110/operands.h"
 #include "transpiler/support/embedded_file.h"
 
 namespace plcxx::nc110 {

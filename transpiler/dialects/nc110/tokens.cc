@@ -401,4 +401,12 @@ std::string CauseOfUnknown(std::string_view run) {
   return CauseOfForeignAddress(capitals);
 }
 
+Operand OperandFromText(std::string_view text) {
+  if (text.empty() || !std::all_of(text.begin(), text.end(), [](char c) { return IsLetter(c) || IsDigit(c); })) {
+    return {};
+  }
+  const Decoded decoded = Decode(text);
+  return decoded.fault == OperandFault::kNone ? decoded.operand : Operand{};
+}
+
 }  // namespace plcxx::nc110

@@ -64,6 +64,8 @@ struct Decoded {
 
 /// Leading zeros do not count: "I00A20" is I0A20.
 Decoded Decode(std::string_view run);
+/// An operand from outside a program (options, scenarios): its spelling, complete and in range, else kind kNone.
+Operand OperandFromText(std::string_view text);
 
 uint32_t ConnectorLimit(Package package);
 

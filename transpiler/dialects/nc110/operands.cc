@@ -1,4 +1,6 @@
-#include "transpiler/dialects/nc110/syntax.h"
+#include "transpiler/dialects/nc110/operands.h"
+
+#include "transpiler/support/check.h"
 
 namespace plcxx::nc110 {
 
