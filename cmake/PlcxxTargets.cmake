@@ -45,6 +45,19 @@ function(plcxx_library NAME)
   endif()
 endfunction()
 
+# plcxx_dialect(<name>): a front end, all of its rooms. The control's documented signals are data: their table, where there
+# is one, is compiled in as text and parsed when it is asked for.
+function(plcxx_dialect NAME)
+  plcxx_library(${NAME} DEPENDS dialects_common)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/*.cc)
+  target_sources(plcxx_${NAME} PRIVATE ${SOURCES})
+  set(SIGNALS ${CMAKE_CURRENT_SOURCE_DIR}/machine/signals.csv)
+  if(EXISTS ${SIGNALS})
+    plcxx_embed(plcxx_${NAME} signal_table.cc VARIABLE kSignalTable NAMESPACE plcxx::${NAME}
+                INCLUDE transpiler/dialects/${NAME}/machine/signals.h FILES ${SIGNALS})
+  endif()
+endfunction()
+
 # plcxx_test(<folder> [DEPENDS <folder>...] [RUNS_TOOL] [LABELS <label>...] [SHARDS <n>] [COST <seconds>]
 # [FILTER <filter>]): all *_test.cc of this folder, without those about hnc where nothing reads C. RUNS_TOOL: they run
 # the binary as well. The tests of one that takes long are dealt out to SHARDS entries of ctest, which runs them at

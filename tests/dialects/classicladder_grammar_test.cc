@@ -7,7 +7,7 @@
 
 #include "tests/dialects/grammar.h"
 #include "transpiler/dialects/classicladder/classicladder.h"
-#include "transpiler/dialects/classicladder/parser.h"
+#include "transpiler/dialects/classicladder/parser/parser.h"
 
 namespace plcxx::classicladder {
 namespace {

@@ -1,8 +1,8 @@
 // The headers that the product supplies against the control's table of signals (specification 5, 9).
 // covers: HNC-130 HNC-155..158 HNC-173..175 HNC-178 HNC-360
 #include "tests/dialects/hnc_parsing.h"
-#include "transpiler/dialects/hnc/headers.h"
-#include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/dialects/hnc/machine/headers.h"
+#include "transpiler/dialects/hnc/machine/machine.h"
 
 namespace plcxx::hnc {
 namespace {

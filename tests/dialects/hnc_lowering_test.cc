@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hnc_lowered.h"
-#include "transpiler/dialects/hnc/locate.h"
+#include "transpiler/dialects/hnc/control/locate.h"
 
 namespace plcxx::hnc {
 namespace {

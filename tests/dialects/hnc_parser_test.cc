@@ -1,7 +1,7 @@
 // The tree of correct programs: types, layouts, constants, conversions, statements (specification 2.4, 2.5, 3, 5.6, 6).
 // covers: HNC-016..018 HNC-021..027 HNC-029 HNC-072 HNC-073 HNC-075 HNC-180 HNC-220 HNC-274 HNC-258
 #include "tests/dialects/hnc_parsing.h"
-#include "transpiler/dialects/hnc/recognize.h"
+#include "transpiler/dialects/hnc/source/recognize.h"
 
 namespace plcxx::hnc {
 namespace {

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "transpiler/dialects/hnc/files.h"
-#include "transpiler/dialects/hnc/parser.h"
+#include "transpiler/dialects/hnc/parser/files.h"
+#include "transpiler/dialects/hnc/parser/parser.h"
 
 namespace plcxx::hnc {
 

@@ -1,6 +1,6 @@
 // What the lowering says of the program for the comparison with Clang's reading of it (ir/reference.h).
 
-#include "transpiler/dialects/hnc/reference.h"
+#include "transpiler/dialects/hnc/lowering/reference.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // covers: HNC-001 HNC-002 HNC-005..007 HNC-010..013 HNC-029 HNC-032
 
 #include "tests/dialects/hnc_parsing.h"
-#include "transpiler/dialects/hnc/source_text.h"
+#include "transpiler/dialects/hnc/source/source_text.h"
 
 namespace plcxx::hnc {
 namespace {

@@ -1,5 +1,5 @@
 // covers: HOST50-004 HOST50-007 HOST50-009 HOST50-011..014
-#include "transpiler/dialects/host50/lexer.h"
+#include "transpiler/dialects/host50/source/lexer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <bit>
 #include <cmath>
 
-#include "transpiler/dialects/host50/parser.h"
+#include "transpiler/dialects/host50/parser/parser.h"
 
 namespace plcxx::host50 {
 namespace {

@@ -1,5 +1,5 @@
 // Locations and values of scenarios (specification section 5), texts of alarms (4.3).
-#include "transpiler/dialects/host50/locate.h"
+#include "transpiler/dialects/host50/control/locate.h"
 
 #include "host50_lowered.h"
 

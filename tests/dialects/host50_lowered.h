@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "transpiler/dialects/host50/lowering/lowering.h"
-#include "transpiler/dialects/host50/parser.h"
+#include "transpiler/dialects/host50/parser/parser.h"
 #include "transpiler/ir/printer.h"
 #include "transpiler/ir/verifier.h"
 

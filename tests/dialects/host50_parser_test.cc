@@ -1,8 +1,8 @@
 // The tree of correct programs: sections, operands, expressions, tables, comments, options.
 // covers: HOST50-005 HOST50-006 HOST50-008 HOST50-010 HOST50-015..018 HOST50-021..024 HOST50-145 HOST50-230..235
 #include "tests/dialects/host50_parsing.h"
-#include "transpiler/dialects/host50/recognize.h"
-#include "transpiler/dialects/host50/resources.h"
+#include "transpiler/dialects/host50/analysis/resources.h"
+#include "transpiler/dialects/host50/source/recognize.h"
 
 namespace plcxx::host50 {
 namespace {

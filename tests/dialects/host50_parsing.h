@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "transpiler/dialects/host50/parser.h"
-#include "transpiler/dialects/host50/warnings.h"
+#include "transpiler/dialects/host50/analysis/warnings.h"
+#include "transpiler/dialects/host50/parser/parser.h"
 
 namespace plcxx::host50 {
 

@@ -1,8 +1,8 @@
 // The simulated machine: inputs last until they are set again (specification 4.3).
-#include "transpiler/dialects/host50/stub.h"
+#include "transpiler/dialects/host50/control/stub.h"
 
 #include "host50_lowered.h"
-#include "transpiler/dialects/host50/locate.h"
+#include "transpiler/dialects/host50/control/locate.h"
 
 namespace plcxx::host50 {
 namespace {

@@ -1,5 +1,5 @@
 // W370: what the ladder editor cannot show; silent unless asked for.
-#include "transpiler/dialects/nc110/ladder_lint.h"
+#include "transpiler/dialects/nc110/analysis/ladder_lint.h"
 
 #include "tests/dialects/nc110_parsing.h"
 

@@ -1,5 +1,5 @@
 // Tokens of the nc110 lexer: words, numbers, comments, line ends, encodings already decoded.
-#include "transpiler/dialects/nc110/lexer.h"
+#include "transpiler/dialects/nc110/source/lexer.h"
 
 #include "tests/dialects/nc110_parsing.h"
 

@@ -1,5 +1,5 @@
 #include "tests/dialects/nc110_lowered.h"
-#include "transpiler/dialects/nc110/locate.h"
+#include "transpiler/dialects/nc110/control/locate.h"
 
 namespace plcxx::nc110 {
 namespace {

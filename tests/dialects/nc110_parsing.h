@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "transpiler/dialects/nc110/parser.h"
+#include "transpiler/dialects/nc110/parser/parser.h"
 
 namespace plcxx::nc110 {
 

@@ -1,6 +1,6 @@
 // W354: which counters can stop between two steps.
 #include "tests/dialects/nc110_parsing.h"
-#include "transpiler/dialects/nc110/warnings.h"
+#include "transpiler/dialects/nc110/analysis/warnings.h"
 
 namespace plcxx::nc110 {
 namespace {

@@ -1,4 +1,4 @@
-#include "transpiler/dialects/nc110/stub.h"
+#include "transpiler/dialects/nc110/control/stub.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <array>
 #include <map>
 
-#include "transpiler/dialects/nc110/locate.h"
-#include "transpiler/dialects/nc110/machine.h"
+#include "transpiler/dialects/nc110/control/locate.h"
+#include "transpiler/dialects/nc110/machine/machine.h"
 #include "transpiler/dialects/nc110/nc110.h"
 
 namespace plcxx::nc110 {

@@ -1,4 +1,4 @@
-#include "transpiler/dialects/prostep/lexer.h"
+#include "transpiler/dialects/prostep/source/lexer.h"
 
 #include "tests/dialects/prostep_parsing.h"
 

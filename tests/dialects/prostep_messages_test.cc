@@ -1,7 +1,7 @@
 // The number in a message, as the NC shows it (specification 8.3). Expectations are worked out from the table there.
 #include "tests/dialects/prostep_lowered.h"
-#include "transpiler/dialects/prostep/memory.h"
-#include "transpiler/dialects/prostep/stub.h"
+#include "transpiler/dialects/prostep/control/stub.h"
+#include "transpiler/dialects/prostep/machine/memory.h"
 
 namespace plcxx::prostep {
 namespace {

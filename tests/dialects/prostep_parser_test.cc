@@ -1,4 +1,4 @@
-#include "transpiler/dialects/prostep/parser.h"
+#include "transpiler/dialects/prostep/parser/parser.h"
 
 #include "tests/dialects/prostep_parsing.h"
 

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "transpiler/dialects/prostep/parser.h"
-#include "transpiler/dialects/prostep/program_checks.h"
+#include "transpiler/dialects/prostep/analysis/program_checks.h"
+#include "transpiler/dialects/prostep/parser/parser.h"
 #include "transpiler/dialects/prostep/prostep.h"
 
 namespace plcxx::prostep {

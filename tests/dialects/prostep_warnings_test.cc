@@ -1,7 +1,7 @@
 // Warnings that need no control flow.
 #include "tests/dialects/prostep_parsing.h"
-#include "transpiler/dialects/prostep/options.h"
-#include "transpiler/dialects/prostep/signals.h"
+#include "transpiler/dialects/prostep/machine/options.h"
+#include "transpiler/dialects/prostep/machine/signals.h"
 
 namespace plcxx::prostep {
 namespace {

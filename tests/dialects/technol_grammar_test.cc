@@ -5,7 +5,7 @@
 
 #include "tests/dialects/grammar.h"
 #include "tests/dialects/technol_parsing.h"
-#include "transpiler/dialects/technol/lexer.h"
+#include "transpiler/dialects/technol/source/lexer.h"
 
 namespace plcxx::technol {
 namespace {

@@ -1,5 +1,5 @@
 // Tokens of single lines, and how bytes become lines.
-#include "transpiler/dialects/technol/lexer.h"
+#include "transpiler/dialects/technol/source/lexer.h"
 
 #include "tests/dialects/technol_parsing.h"
 

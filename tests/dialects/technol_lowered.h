@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "transpiler/dialects/technol/locate.h"
-#include "transpiler/dialects/technol/sources.h"
+#include "transpiler/dialects/technol/control/locate.h"
+#include "transpiler/dialects/technol/source/sources.h"
 #include "transpiler/dialects/technol/technol.h"
 #include "transpiler/ir/printer.h"
 #include "transpiler/ir/verifier.h"

@@ -1,5 +1,5 @@
 // Macros and includes: what lines they make, and where their faults are reported.
-#include "transpiler/dialects/technol/macros.h"
+#include "transpiler/dialects/technol/parser/macros.h"
 
 #include "tests/dialects/technol_parsing.h"
 #include "tests/temporary_directory.h"

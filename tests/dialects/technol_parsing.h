@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "transpiler/dialects/technol/options.h"
-#include "transpiler/dialects/technol/parser.h"
-#include "transpiler/dialects/technol/sources.h"
+#include "transpiler/dialects/technol/machine/options.h"
+#include "transpiler/dialects/technol/parser/parser.h"
+#include "transpiler/dialects/technol/source/sources.h"
 
 namespace plcxx::technol {
 

@@ -1,6 +1,6 @@
 // Technology tables: items, images, faults at their places, and tables written back.
 #include "tests/dialects/technol_parsing.h"
-#include "transpiler/dialects/technol/technology_items.h"
+#include "transpiler/dialects/technol/source/technology_items.h"
 
 namespace plcxx::technol {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "transpiler/dialects/classicladder/classicladder.h"
-#include "transpiler/dialects/classicladder/parser.h"
+#include "transpiler/dialects/classicladder/parser/parser.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace classicladder = plcxx::classicladder;

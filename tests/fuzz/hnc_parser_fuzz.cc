@@ -5,8 +5,8 @@
 #include <string_view>
 #include <variant>
 
-#include "transpiler/dialects/hnc/files.h"
-#include "transpiler/dialects/hnc/parser.h"
+#include "transpiler/dialects/hnc/parser/files.h"
+#include "transpiler/dialects/hnc/parser/parser.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace hnc = plcxx::hnc;

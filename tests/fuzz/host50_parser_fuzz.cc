@@ -5,9 +5,9 @@
 #include <variant>
 #include <vector>
 
+#include "transpiler/dialects/host50/analysis/warnings.h"
 #include "transpiler/dialects/host50/host50.h"
-#include "transpiler/dialects/host50/parser.h"
-#include "transpiler/dialects/host50/warnings.h"
+#include "transpiler/dialects/host50/parser/parser.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace host50 = plcxx::host50;

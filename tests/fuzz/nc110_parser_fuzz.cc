@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "transpiler/dialects/nc110/ladder_lint.h"
-#include "transpiler/dialects/nc110/parser.h"
+#include "transpiler/dialects/nc110/analysis/ladder_lint.h"
+#include "transpiler/dialects/nc110/parser/parser.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace nc110 = plcxx::nc110;

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "transpiler/dialects/prostep/parser.h"
-#include "transpiler/dialects/prostep/program_checks.h"
+#include "transpiler/dialects/prostep/analysis/program_checks.h"
+#include "transpiler/dialects/prostep/parser/parser.h"
 #include "transpiler/dialects/prostep/prostep.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

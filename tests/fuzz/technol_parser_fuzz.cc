@@ -5,9 +5,9 @@
 #include <string_view>
 #include <variant>
 
-#include "transpiler/dialects/technol/options.h"
-#include "transpiler/dialects/technol/parser.h"
-#include "transpiler/dialects/technol/sources.h"
+#include "transpiler/dialects/technol/machine/options.h"
+#include "transpiler/dialects/technol/parser/parser.h"
+#include "transpiler/dialects/technol/source/sources.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace technol = plcxx::technol;

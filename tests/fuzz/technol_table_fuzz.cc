@@ -5,8 +5,8 @@
 #include <string_view>
 #include <variant>
 
-#include "transpiler/dialects/technol/sources.h"
-#include "transpiler/dialects/technol/technology_table.h"
+#include "transpiler/dialects/technol/machine/technology_table.h"
+#include "transpiler/dialects/technol/source/sources.h"
 
 namespace {
 

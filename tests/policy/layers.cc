@@ -62,6 +62,43 @@ bool IsAllowed(const LayerTable& table, const std::string& from, const std::stri
   return std::ranges::find(row->may_include, target->folder) != row->may_include.end();
 }
 
+/// The rooms of the folder that a file is in, and that folder; none for a folder without rooms.
+const RoomsRow* RoomsAround(const LayerTable& table, const std::string& file, std::string& folder) {
+  const LayerRow* const layer = RowOf(table, file);
+  if (layer == nullptr) return nullptr;
+  const auto row = std::ranges::find(table.rooms, layer->folder, &RoomsRow::folder);
+  if (row == table.rooms.end()) return nullptr;
+  folder = FolderOf(*layer, file);
+  return &*row;
+}
+
+/// The place of the room that a path within the folder is in; the number of rooms for the folder's own files.
+std::optional<size_t> RoomOf(const RoomsRow& row, const std::string& inside) {
+  const size_t border = inside.find('/');
+  if (border == std::string::npos) return row.rooms.size();
+  const auto room = std::ranges::find(row.rooms, inside.substr(0, border));
+  if (room == row.rooms.end()) return std::nullopt;
+  return static_cast<size_t>(room - row.rooms.begin());
+}
+
+bool KeepsRooms(const LayerTable& table, const std::string& file, const std::string& header) {
+  std::string folder;
+  const RoomsRow* const row = RoomsAround(table, file, folder);
+  if (row == nullptr || !header.starts_with(folder + "/")) return true;
+  const std::string from = file.substr(folder.size() + 1), to = header.substr(folder.size() + 1);
+  const std::optional<size_t> from_room = RoomOf(*row, from), to_room = RoomOf(*row, to);
+  if (!from_room || !to_room) return false;
+  if (*to_room <= *from_room) return true;
+  return std::ranges::find(row->exceptions, std::pair(from, to.substr(0, to.find('/')))) != row->exceptions.end();
+}
+
+/// Not in a room that its folder's row does not name.
+bool IsInARoom(const LayerTable& table, const std::string& file) {
+  std::string folder;
+  const RoomsRow* const row = RoomsAround(table, file, folder);
+  return row == nullptr || RoomOf(*row, file.substr(folder.size() + 1)).has_value();
+}
+
 std::optional<std::string> CheckLibrary(const LayerTable& table, const std::string& file, const std::string& header) {
   for (const LibraryRow& library : table.libraries) {
     if (std::ranges::none_of(library.headers, [&](const std::string& prefix) { return header.starts_with(prefix); })) {
@@ -93,7 +130,7 @@ std::optional<std::string> CheckInclude(const LayerTable& table, const std::stri
   const bool runtime = header.starts_with("plcxx/") || header.starts_with("plcxx_host/");
   if (include.front() == '<' && !runtime) return CheckLibrary(table, file, header);
   if (runtime) header = "runtime_support/" + header;
-  if (IsAllowed(table, file, header)) return std::nullopt;
+  if (IsAllowed(table, file, header) && KeepsRooms(table, file, header)) return std::nullopt;
   return "may not include \"" + header + "\"";
 }
 
@@ -162,6 +199,16 @@ std::string LibrariesOf(const LayerTable& table, const LayerRow& row) {
   return libraries;
 }
 
+/// "; rooms machine < syntax < source".
+std::string RoomsIn(const LayerTable& table, const LayerRow& row) {
+  std::string text;
+  for (const RoomsRow& rooms : table.rooms) {
+    if (rooms.folder != row.folder) continue;
+    for (const std::string& room : rooms.rooms) text += (text.empty() ? "; rooms " : " < ") + room;
+  }
+  return text;
+}
+
 }  // namespace
 
 LayerTable ReadLayers(std::string_view text, Findings& findings) {
@@ -176,6 +223,13 @@ LayerTable ReadLayers(std::string_view text, Findings& findings) {
       table.layers.push_back({head[0], Words(parts[1])});
     } else if (parts.size() == 3 && head.size() == 2 && head[0] == "library") {
       table.libraries.push_back({head[1], Words(parts[1]), Words(parts[2])});
+    } else if (parts.size() == 3 && head.size() == 2 && head[0] == "rooms") {
+      RoomsRow row{head[1], Words(parts[1]), {}};
+      for (const std::string& exception : Words(parts[2])) {
+        const size_t border = std::min(exception.find('>'), exception.size() - 1);
+        row.exceptions.emplace_back(exception.substr(0, border), exception.substr(border + 1));
+      }
+      table.rooms.push_back(std::move(row));
     } else {
       findings.push_back(Place("layers.txt", number) + "cannot be read");
     }
@@ -198,6 +252,7 @@ Findings CheckLayers(const LayerTable& table, const std::string& root) {
   for (const char* top : {"transpiler", "runtime_support"}) {
     for (const std::string& file : FilesBelow(root, top, {".cc", ".h", ".def", ".cpp", ".hpp"})) {
       if (RowOf(table, file) == nullptr) findings.push_back(file + ": its folder has no row in layers.txt");
+      if (!IsInARoom(table, file)) findings.push_back(file + ": layers.txt has no such room");
       size_t number = 0;
       for (const std::string& line : Lines(ReadFile(root + "/" + file))) {
         ++number;
@@ -231,7 +286,8 @@ std::string DrawLayers(const LayerTable& table, const std::string& root) {
       for (const std::string& folder : row->may_include) below += " " + Short(folder);
       const std::string libraries = LibrariesOf(table, *row);
       drawing += (row == rows.front() ? " " + std::to_string(level) + " | " : "   | ") + name + " ->" +
-                 (below.empty() ? " nothing" : below) + (libraries.empty() ? "" : "; with" + libraries) + "\n";
+                 (below.empty() ? " nothing" : below) + (libraries.empty() ? "" : "; with" + libraries) +
+                 RoomsIn(table, *row) + "\n";
     }
     if (level > 0) drawing += "---+" + std::string(kNameWidth + 2, '-') + "\n";
   }

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tests/policy/repository.h"
@@ -20,9 +21,17 @@ struct LibraryRow {
   std::vector<std::string> folders;  // that may include them
 };
 
+/// The folders in a folder, each of which may include those before it.
+struct RoomsRow {
+  std::string folder;                                           // '*' stands for one name
+  std::vector<std::string> rooms;                               // from the lowest up
+  std::vector<std::pair<std::string, std::string>> exceptions;  // a file and a higher room that it may include
+};
+
 struct LayerTable {
   std::vector<LayerRow> layers;
   std::vector<LibraryRow> libraries;
+  std::vector<RoomsRow> rooms;
 };
 
 /// Lines that cannot be read, and rows that name a folder without a row, are in `findings`.

@@ -16,7 +16,7 @@ from copied_tree import build_copy, check_sources, copy_to
 # Dialect: lines as (file, the line that they come after, lines); golden case, the old word and the new one in it.
 MNEMONICS = {
     "nc110": (
-        [("transpiler/dialects/nc110/functions.def", 'PLCXX_WORD_FUNCTION(Xch, ',
+        [("transpiler/dialects/nc110/machine/functions.def", 'PLCXX_WORD_FUNCTION(Xch, ',
           ['PLCXX_WORD_FUNCTION(Swp, "SWP", SwapNibbles8, 255)']),
          ("transpiler/diagnostics/catalogue_nc110.def", "PLCXX_DIAG(Nc110XchClose, ",
           ['PLCXX_DIAG(Nc110SwpAsSignal, "nc110-30", kError, (), "SWP gives a word, but a signal is needed here", "compare it")',
@@ -24,7 +24,7 @@ MNEMONICS = {
            'PLCXX_DIAG(Nc110SwpClose, "nc110-37", kError, (Text), "SWP: \')\' expected, found {0}", "close it")'])],
         "tests/golden/nc110/functions/all_values", r"\bXCH\b", "SWP"),
     "host50": (
-        [("transpiler/dialects/host50/machine.def", "HOST50_INSTRUCTION(Wxor, ",
+        [("transpiler/dialects/host50/machine/machine.def", "HOST50_INSTRUCTION(Wxor, ",
           ['HOST50_INSTRUCTION(Xorw, "XORW", kBlock, kOutput, kNone, kStateless, kFunctionBlocks, "", kIntSource, '
            'kIntSource, kIntResult)']),
          ("transpiler/dialects/host50/lowering/blocks.cc", "    {Op::kWxor, ",
@@ -32,9 +32,9 @@ MNEMONICS = {
          ("transpiler/dialects/host50/lowering/blocks.cc", "    case Op::kWxor:", ["    case Op::kXorw:"])],
         "tests/golden/host50/blocks/wxor", r"\bWXOR\b", "XORW"),
     "prostep": (
-        [("transpiler/dialects/prostep/machine.def", "PROSTEP_FUNCTION(XorLong, ",
+        [("transpiler/dialects/prostep/machine/machine.def", "PROSTEP_FUNCTION(XorLong, ",
           ["PROSTEP_FUNCTION(DifferLong, None, 2, Long, Long, LongWritten)"]),
-         ("transpiler/dialects/prostep/machine.def", "PROSTEP_FUNCTION_NUMBER(66, ",
+         ("transpiler/dialects/prostep/machine/machine.def", "PROSTEP_FUNCTION_NUMBER(66, ",
           ["PROSTEP_FUNCTION_NUMBER(67, DifferLong)"]),
          ("transpiler/dialects/prostep/lowering/functions.cc", "    case Function::kOrLong:",
           ["    case Function::kDifferLong:"]),
@@ -42,13 +42,13 @@ MNEMONICS = {
           ["    case Function::kDifferLong:", "      return long_words_.Combine(instruction, OpKind::kXor32);"])],
         "tests/golden/prostep/functional/fm_64_65_66", r"\bFM 66\b", "FM 67"),
     "technol": (
-        [("transpiler/dialects/technol/machine.def", "TECHNOL_ASSEMBLER(Not, ",
+        [("transpiler/dialects/technol/machine/machine.def", "TECHNOL_ASSEMBLER(Not, ",
           ['TECHNOL_ASSEMBLER(Com, "COM", One, ReadWrite, Pure, None, 0, 0, 0)']),
          ("transpiler/dialects/technol/lowering/assembler.cc", "      return arithmetic_.Negate(instruction);",
           ["    case Op::kCom:"])],
         "tests/golden/technol/assembler/not_changes_no_flag", r"\bNOT\b", "COM"),
     "hnc": (
-        [("transpiler/dialects/hnc/functions.def", "HNC_FUNCTION(Fabs, ",
+        [("transpiler/dialects/hnc/machine/functions.def", "HNC_FUNCTION(Fabs, ",
           ['HNC_FUNCTION(Dabs, "dabs", "math.h", "double dabs(double);", Real, OpKind::kAbsF64, Nothing)'])],
         "tests/golden/hnc/library/mathematics", r"\bfabs\b", "dabs"),
 }

@@ -5,10 +5,14 @@
 namespace plcxx::policy {
 namespace {
 
-/// "table FILE MACRO ENUM"; the folder of FILE is the dialect.
+/// "table FILE MACRO ENUM"; FILE is in the dialect's folder, or in its room machine/.
 struct RowTable {
   std::string file, macro, enumeration;
-  std::string Folder() const { return file.substr(0, file.rfind('/')); }
+  std::string Folder() const {
+    const std::string folder = file.substr(0, file.rfind('/'));
+    const std::string_view room = "/machine";
+    return folder.ends_with(room) ? folder.substr(0, folder.size() - room.size()) : folder;
+  }
 };
 
 /// The first arguments of `macro` at the begin of a line.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/reference/reference.h"
-#include "transpiler/dialects/host50/machine.h"
+#include "transpiler/dialects/host50/machine/machine.h"
 
 namespace plcxx::reference {
 

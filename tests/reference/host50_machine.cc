@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "transpiler/dialects/host50/parser.h"
+#include "transpiler/dialects/host50/parser/parser.h"
 
 namespace plcxx::reference {
 

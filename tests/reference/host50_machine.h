@@ -9,7 +9,7 @@
 #include "tests/reference/host50_image.h"
 #include "tests/reference/reference.h"
 #include "transpiler/dialects/dialect.h"
-#include "transpiler/dialects/host50/syntax.h"
+#include "transpiler/dialects/host50/syntax/syntax.h"
 
 namespace plcxx::reference {
 

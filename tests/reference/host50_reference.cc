@@ -15,7 +15,7 @@
 
 #include "tests/reference/host50_elements.h"
 #include "tests/reference/host50_machine.h"
-#include "transpiler/dialects/host50/syntax.h"
+#include "transpiler/dialects/host50/syntax/syntax.h"
 
 namespace plcxx::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/reference/made_forms_tables.h"
-#include "transpiler/dialects/host50/machine.h"
+#include "transpiler/dialects/host50/machine/machine.h"
 
 namespace plcxx::reference::forms {
 namespace {
@@ -16,7 +16,7 @@ using Texts = std::vector<std::string>;
 
 constexpr Op kOps[] = {
 #define HOST50_INSTRUCTION(Name, ...) Op::k##Name,
-#include "transpiler/dialects/host50/machine.def"
+#include "transpiler/dialects/host50/machine/machine.def"
 };
 
 Texts operator+(Texts a, const Texts& b) {

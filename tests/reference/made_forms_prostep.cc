@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tests/reference/made_forms_tables.h"
-#include "transpiler/dialects/prostep/machine.h"
+#include "transpiler/dialects/prostep/machine/machine.h"
 
 namespace plcxx::reference::forms {
 namespace {
@@ -13,11 +13,11 @@ using namespace prostep;
 
 constexpr OperandClass kClasses[] = {
 #define PROSTEP_CLASS(Key, ...) OperandClass::k##Key,
-#include "transpiler/dialects/prostep/machine.def"
+#include "transpiler/dialects/prostep/machine/machine.def"
 };
 constexpr std::pair<uint32_t, Function> kFunctionNumbers[] = {
 #define PROSTEP_FUNCTION_NUMBER(number, Key) {number, Function::k##Key},
-#include "transpiler/dialects/prostep/machine.def"
+#include "transpiler/dialects/prostep/machine/machine.def"
 };
 
 std::vector<std::string> ClassesOf(OperandSet set) {

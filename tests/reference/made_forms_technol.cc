@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/reference/made_forms_tables.h"
-#include "transpiler/dialects/technol/machine.h"
+#include "transpiler/dialects/technol/machine/machine.h"
 
 namespace plcxx::reference::forms {
 namespace {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "tests/reference/nc110_elements.h"
-#include "transpiler/dialects/nc110/options.h"
-#include "transpiler/dialects/nc110/parser.h"
-#include "transpiler/dialects/nc110/syntax.h"
+#include "transpiler/dialects/nc110/machine/options.h"
+#include "transpiler/dialects/nc110/parser/parser.h"
+#include "transpiler/dialects/nc110/syntax/syntax.h"
 
 namespace plcxx::reference {
 namespace {

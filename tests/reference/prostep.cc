@@ -4,7 +4,7 @@
 #include <charconv>
 #include <utility>
 
-#include "transpiler/dialects/prostep/parser.h"
+#include "transpiler/dialects/prostep/parser/parser.h"
 
 namespace plcxx::reference {
 

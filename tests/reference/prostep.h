@@ -15,8 +15,8 @@
 #include "tests/reference/random_program.h"
 #include "tests/reference/reference.h"
 #include "transpiler/dialects/dialect.h"
-#include "transpiler/dialects/prostep/options.h"
-#include "transpiler/dialects/prostep/syntax.h"
+#include "transpiler/dialects/prostep/machine/options.h"
+#include "transpiler/dialects/prostep/syntax/syntax.h"
 
 namespace plcxx::reference {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/dialects/technol/parser.h"
+#include "transpiler/dialects/technol/parser/parser.h"
 
 namespace plcxx::reference {
 

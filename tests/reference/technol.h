@@ -15,8 +15,8 @@
 #include "tests/reference/random_program.h"
 #include "tests/reference/reference.h"
 #include "transpiler/dialects/dialect.h"
-#include "transpiler/dialects/technol/options.h"
-#include "transpiler/dialects/technol/syntax.h"
+#include "transpiler/dialects/technol/machine/options.h"
+#include "transpiler/dialects/technol/syntax/syntax.h"
 
 namespace plcxx::reference {
 

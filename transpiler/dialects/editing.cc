@@ -3,16 +3,16 @@
 #include <utility>
 
 #include "transpiler/dialects/classicladder/classicladder.h"
-#include "transpiler/dialects/classicladder/editing.h"
-#include "transpiler/dialects/hnc/editing.h"
+#include "transpiler/dialects/classicladder/control/editing.h"
+#include "transpiler/dialects/hnc/control/editing.h"
 #include "transpiler/dialects/hnc/hnc.h"
-#include "transpiler/dialects/host50/editing.h"
+#include "transpiler/dialects/host50/control/editing.h"
 #include "transpiler/dialects/host50/host50.h"
-#include "transpiler/dialects/nc110/editing.h"
+#include "transpiler/dialects/nc110/control/editing.h"
 #include "transpiler/dialects/nc110/nc110.h"
-#include "transpiler/dialects/prostep/editing.h"
+#include "transpiler/dialects/prostep/control/editing.h"
 #include "transpiler/dialects/prostep/prostep.h"
-#include "transpiler/dialects/technol/editing.h"
+#include "transpiler/dialects/technol/control/editing.h"
 #include "transpiler/dialects/technol/technol.h"
 #include "transpiler/support/check.h"
 

@@ -1,7 +1,7 @@
 #include "transpiler/dialects/references.h"
 
 #include "transpiler/dialects/hnc/hnc.h"
-#include "transpiler/dialects/hnc/reference.h"
+#include "transpiler/dialects/hnc/lowering/reference.h"
 
 namespace plcxx::dialects {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "transpiler/dialects/classicladder/elements.h"
+#include "transpiler/dialects/classicladder/machine/elements.h"
 
 namespace plcxx::dialects {
 

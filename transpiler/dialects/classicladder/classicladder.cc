@@ -1,11 +1,11 @@
 #include "transpiler/dialects/classicladder/classicladder.h"
 
-#include "transpiler/dialects/classicladder/locate.h"
-#include "transpiler/dialects/classicladder/lowering.h"
-#include "transpiler/dialects/classicladder/options.h"
-#include "transpiler/dialects/classicladder/parser.h"
-#include "transpiler/dialects/classicladder/recognize.h"
-#include "transpiler/dialects/classicladder/stub.h"
+#include "transpiler/dialects/classicladder/control/locate.h"
+#include "transpiler/dialects/classicladder/control/stub.h"
+#include "transpiler/dialects/classicladder/lowering/lowering.h"
+#include "transpiler/dialects/classicladder/machine/options.h"
+#include "transpiler/dialects/classicladder/parser/parser.h"
+#include "transpiler/dialects/classicladder/source/recognize.h"
 #include "transpiler/dialects/common/wiring.h"
 
 namespace plcxx::classicladder {

@@ -3,14 +3,14 @@
 #include <charconv>
 
 #include "transpiler/dialects/common/wiring.h"
-#include "transpiler/dialects/hnc/files.h"
-#include "transpiler/dialects/hnc/locate.h"
+#include "transpiler/dialects/hnc/analysis/summary.h"
+#include "transpiler/dialects/hnc/control/locate.h"
+#include "transpiler/dialects/hnc/control/stub.h"
 #include "transpiler/dialects/hnc/lowering/lowering.h"
-#include "transpiler/dialects/hnc/options.h"
-#include "transpiler/dialects/hnc/parser.h"
-#include "transpiler/dialects/hnc/recognize.h"
-#include "transpiler/dialects/hnc/stub.h"
-#include "transpiler/dialects/hnc/summary.h"
+#include "transpiler/dialects/hnc/machine/options.h"
+#include "transpiler/dialects/hnc/parser/files.h"
+#include "transpiler/dialects/hnc/parser/parser.h"
+#include "transpiler/dialects/hnc/source/recognize.h"
 
 namespace plcxx::hnc {
 namespace {

@@ -1,14 +1,14 @@
 #include "transpiler/dialects/host50/host50.h"
 
 #include "transpiler/dialects/common/wiring.h"
-#include "transpiler/dialects/host50/locate.h"
+#include "transpiler/dialects/host50/analysis/resources.h"
+#include "transpiler/dialects/host50/analysis/warnings.h"
+#include "transpiler/dialects/host50/control/locate.h"
+#include "transpiler/dialects/host50/control/stub.h"
 #include "transpiler/dialects/host50/lowering/lowering.h"
-#include "transpiler/dialects/host50/options.h"
-#include "transpiler/dialects/host50/parser.h"
-#include "transpiler/dialects/host50/recognize.h"
-#include "transpiler/dialects/host50/resources.h"
-#include "transpiler/dialects/host50/stub.h"
-#include "transpiler/dialects/host50/warnings.h"
+#include "transpiler/dialects/host50/machine/options.h"
+#include "transpiler/dialects/host50/parser/parser.h"
+#include "transpiler/dialects/host50/source/recognize.h"
 
 namespace plcxx::host50 {
 namespace {

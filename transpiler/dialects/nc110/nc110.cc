@@ -1,13 +1,13 @@
 #include "transpiler/dialects/nc110/nc110.h"
 
-#include "transpiler/dialects/nc110/documentation.h"
-#include "transpiler/dialects/nc110/ladder_lint.h"
-#include "transpiler/dialects/nc110/locate.h"
+#include "transpiler/dialects/nc110/analysis/ladder_lint.h"
+#include "transpiler/dialects/nc110/analysis/warnings.h"
+#include "transpiler/dialects/nc110/control/documentation.h"
+#include "transpiler/dialects/nc110/control/locate.h"
+#include "transpiler/dialects/nc110/control/stub.h"
 #include "transpiler/dialects/nc110/lowering/lowering.h"
-#include "transpiler/dialects/nc110/options.h"
-#include "transpiler/dialects/nc110/parser.h"
-#include "transpiler/dialects/nc110/stub.h"
-#include "transpiler/dialects/nc110/warnings.h"
+#include "transpiler/dialects/nc110/machine/options.h"
+#include "transpiler/dialects/nc110/parser/parser.h"
 
 namespace plcxx::nc110 {
 namespace {

@@ -1,14 +1,14 @@
 #include "transpiler/dialects/prostep/prostep.h"
 
 #include "transpiler/dialects/common/wiring.h"
-#include "transpiler/dialects/prostep/lexer.h"
-#include "transpiler/dialects/prostep/locate.h"
+#include "transpiler/dialects/prostep/analysis/program_checks.h"
+#include "transpiler/dialects/prostep/control/locate.h"
+#include "transpiler/dialects/prostep/control/stub.h"
 #include "transpiler/dialects/prostep/lowering/lowering.h"
-#include "transpiler/dialects/prostep/numbers.h"
-#include "transpiler/dialects/prostep/options.h"
-#include "transpiler/dialects/prostep/parser.h"
-#include "transpiler/dialects/prostep/program_checks.h"
-#include "transpiler/dialects/prostep/stub.h"
+#include "transpiler/dialects/prostep/machine/options.h"
+#include "transpiler/dialects/prostep/parser/parser.h"
+#include "transpiler/dialects/prostep/source/lexer.h"
+#include "transpiler/dialects/prostep/source/numbers.h"
 
 namespace plcxx::prostep {
 namespace {

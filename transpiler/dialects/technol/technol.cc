@@ -5,16 +5,16 @@
 #include <vector>
 
 #include "transpiler/dialects/common/wiring.h"
-#include "transpiler/dialects/technol/flow_checks.h"
-#include "transpiler/dialects/technol/locate.h"
+#include "transpiler/dialects/technol/analysis/flow_checks.h"
+#include "transpiler/dialects/technol/analysis/warnings.h"
+#include "transpiler/dialects/technol/control/locate.h"
+#include "transpiler/dialects/technol/control/stub.h"
 #include "transpiler/dialects/technol/lowering/lowering.h"
-#include "transpiler/dialects/technol/options.h"
-#include "transpiler/dialects/technol/parser.h"
-#include "transpiler/dialects/technol/raised_errors.h"
-#include "transpiler/dialects/technol/sources.h"
-#include "transpiler/dialects/technol/stub.h"
-#include "transpiler/dialects/technol/technology_table.h"
-#include "transpiler/dialects/technol/warnings.h"
+#include "transpiler/dialects/technol/machine/options.h"
+#include "transpiler/dialects/technol/machine/technology_table.h"
+#include "transpiler/dialects/technol/parser/parser.h"
+#include "transpiler/dialects/technol/source/sources.h"
+#include "transpiler/dialects/technol/syntax/raised_errors.h"
 
 namespace plcxx::technol {
 namespace {

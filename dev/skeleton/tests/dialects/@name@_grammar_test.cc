@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "tests/dialects/grammar.h"
+#include "transpiler/dialects/@name@/parser/parser.h"
 #include "transpiler/dialects/@name@/@name@.h"
-#include "transpiler/dialects/@name@/parser.h"
 
 namespace plcxx::@name@ {
 namespace {

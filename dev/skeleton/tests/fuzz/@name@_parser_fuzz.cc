@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "transpiler/dialects/@name@/parser/parser.h"
 #include "transpiler/dialects/@name@/@name@.h"
-#include "transpiler/dialects/@name@/parser.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace @name@ = plcxx::@name@;

@@ -10,7 +10,7 @@
 #include "transpiler/dialects/hnc/lowering/operators.h"
 #include "transpiler/dialects/hnc/lowering/pointers.h"
 #include "transpiler/dialects/hnc/lowering/stated_facts.h"
-#include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/dialects/hnc/machine/machine.h"
 
 namespace plcxx::hnc {
 

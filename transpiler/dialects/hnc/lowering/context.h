@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "transpiler/dialects/common/builder.h"
-#include "transpiler/dialects/hnc/facts.h"
+#include "transpiler/dialects/hnc/analysis/facts.h"
 #include "transpiler/dialects/hnc/lowering/values.h"
-#include "transpiler/dialects/hnc/options.h"
-#include "transpiler/dialects/hnc/walk.h"
+#include "transpiler/dialects/hnc/machine/options.h"
+#include "transpiler/dialects/hnc/syntax/walk.h"
 
 namespace plcxx::hnc {
 

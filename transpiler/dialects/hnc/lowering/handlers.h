@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
+#include "transpiler/dialects/hnc/analysis/registrations.h"
 #include "transpiler/dialects/hnc/lowering/context.h"
-#include "transpiler/dialects/hnc/registrations.h"
 
 namespace plcxx::hnc {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "transpiler/dialects/hnc/loop_counts.h"
+#include "transpiler/dialects/hnc/analysis/loop_counts.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::hnc {

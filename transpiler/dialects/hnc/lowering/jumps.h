@@ -8,7 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "transpiler/dialects/hnc/live_jumps.h"
+#include "transpiler/dialects/hnc/analysis/live_jumps.h"
 #include "transpiler/dialects/hnc/lowering/context.h"
 
 namespace plcxx::hnc {

@@ -11,7 +11,7 @@
 #include "transpiler/dialects/hnc/lowering/intervals.h"
 #include "transpiler/dialects/hnc/lowering/locals.h"
 #include "transpiler/dialects/hnc/lowering/pointers.h"
-#include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/dialects/hnc/machine/machine.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::hnc {

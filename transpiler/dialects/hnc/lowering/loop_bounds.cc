@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "transpiler/dialects/hnc/loop_counts.h"
+#include "transpiler/dialects/hnc/analysis/loop_counts.h"
 #include "transpiler/dialects/hnc/lowering/intervals.h"
 #include "transpiler/dialects/hnc/lowering/jumps.h"
 #include "transpiler/dialects/hnc/lowering/loop_paths.h"

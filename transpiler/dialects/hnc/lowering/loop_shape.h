@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "transpiler/dialects/hnc/loop_counts.h"
+#include "transpiler/dialects/hnc/analysis/loop_counts.h"
+#include "transpiler/dialects/hnc/analysis/objects.h"
 #include "transpiler/dialects/hnc/lowering/jumps.h"
-#include "transpiler/dialects/hnc/objects.h"
 
 namespace plcxx::hnc {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/dialects/hnc/checks.h"
+#include "transpiler/dialects/hnc/analysis/checks.h"
 #include "transpiler/dialects/hnc/lowering/accesses.h"
 #include "transpiler/dialects/hnc/lowering/addresses.h"
 #include "transpiler/dialects/hnc/lowering/branches.h"

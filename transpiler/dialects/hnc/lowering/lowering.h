@@ -5,8 +5,8 @@
 #pragma once
 
 #include "transpiler/diagnostics/diagnostics.h"
-#include "transpiler/dialects/hnc/options.h"
-#include "transpiler/dialects/hnc/syntax.h"
+#include "transpiler/dialects/hnc/machine/options.h"
+#include "transpiler/dialects/hnc/syntax/syntax.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/ir/reference.h"
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-#include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/dialects/hnc/machine/machine.h"
 
 namespace plcxx::hnc {
 

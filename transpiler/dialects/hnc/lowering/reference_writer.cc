@@ -13,8 +13,8 @@
 #include "transpiler/dialects/hnc/lowering/schedule.h"
 #include "transpiler/dialects/hnc/lowering/system_functions.h"
 #include "transpiler/dialects/hnc/lowering/system_routines.h"
-#include "transpiler/dialects/hnc/machine.h"
-#include "transpiler/dialects/hnc/product_names.h"
+#include "transpiler/dialects/hnc/machine/machine.h"
+#include "transpiler/dialects/hnc/machine/product_names.h"
 
 namespace plcxx::hnc {
 

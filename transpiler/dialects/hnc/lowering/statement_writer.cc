@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/dialects/hnc/characters.h"
+#include "transpiler/dialects/hnc/syntax/characters.h"
 
 namespace plcxx::hnc {
 

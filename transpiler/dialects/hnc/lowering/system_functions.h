@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "transpiler/dialects/hnc/syntax.h"
+#include "transpiler/dialects/hnc/syntax/syntax.h"
 #include "transpiler/ir/program.h"
 
 namespace plcxx::hnc {

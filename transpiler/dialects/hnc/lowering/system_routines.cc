@@ -6,7 +6,7 @@
 #include "transpiler/dialects/hnc/lowering/locals.h"
 #include "transpiler/dialects/hnc/lowering/memory.h"
 #include "transpiler/dialects/hnc/lowering/system_functions.h"
-#include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/dialects/hnc/machine/machine.h"
 
 namespace plcxx::hnc {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "transpiler/dialects/hnc/objects.h"
-#include "transpiler/dialects/hnc/ranges.h"
-#include "transpiler/dialects/hnc/syntax.h"
+#include "transpiler/dialects/hnc/analysis/objects.h"
+#include "transpiler/dialects/hnc/analysis/ranges.h"
+#include "transpiler/dialects/hnc/syntax/syntax.h"
 #include "transpiler/ir/program.h"
 
 namespace plcxx::hnc {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "transpiler/dialects/common/translation.h"
-#include "transpiler/dialects/host50/places.h"
-#include "transpiler/dialects/host50/syntax.h"
+#include "transpiler/dialects/host50/machine/places.h"
+#include "transpiler/dialects/host50/syntax/syntax.h"
 
 namespace plcxx::host50 {
 

@@ -9,7 +9,7 @@
 
 #include "transpiler/dialects/host50/lowering/cells.h"
 #include "transpiler/dialects/host50/lowering/names.h"
-#include "transpiler/dialects/host50/signals.h"
+#include "transpiler/dialects/host50/machine/signals.h"
 
 namespace plcxx::host50 {
 

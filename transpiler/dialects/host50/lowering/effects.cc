@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "transpiler/dialects/host50/places.h"
+#include "transpiler/dialects/host50/machine/places.h"
 
 namespace plcxx::host50 {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "transpiler/dialects/host50/syntax.h"
+#include "transpiler/dialects/host50/syntax/syntax.h"
 
 namespace plcxx::host50 {
 

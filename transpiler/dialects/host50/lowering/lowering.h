@@ -8,7 +8,7 @@
 // change is computed before it, and edges and blocks, which have a state, where they stand.
 #pragma once
 
-#include "transpiler/dialects/host50/syntax.h"
+#include "transpiler/dialects/host50/syntax/syntax.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/source/source.h"
 

@@ -68,7 +68,7 @@ void Tables::AddSettings() {
   record("CHANNELS", std::to_string(settings_.channels));
 #define HOST50_OPTION(Name, Member, Key, First, FirstText, Other, OtherText, ...) \
   record(Key, settings_.Member == Name##Option::First ? FirstText : OtherText);
-#include "transpiler/dialects/host50/machine.def"
+#include "transpiler/dialects/host50/machine/machine.def"
   program_.tables.push_back(std::move(table));
 }
 

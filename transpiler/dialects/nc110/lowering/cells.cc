@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "transpiler/dialects/nc110/places.h"
+#include "transpiler/dialects/nc110/machine/places.h"
 
 namespace plcxx::nc110 {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "transpiler/dialects/common/translation.h"
-#include "transpiler/dialects/nc110/machine.h"
-#include "transpiler/dialects/nc110/options.h"
-#include "transpiler/dialects/nc110/syntax.h"
+#include "transpiler/dialects/nc110/machine/machine.h"
+#include "transpiler/dialects/nc110/machine/options.h"
+#include "transpiler/dialects/nc110/syntax/syntax.h"
 
 namespace plcxx::nc110 {
 

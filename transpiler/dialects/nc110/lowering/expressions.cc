@@ -4,7 +4,7 @@
 
 #include "transpiler/dialects/nc110/lowering/latched_inputs.h"
 #include "transpiler/dialects/nc110/lowering/texts.h"
-#include "transpiler/dialects/nc110/tokens.h"
+#include "transpiler/dialects/nc110/source/tokens.h"
 
 namespace plcxx::nc110 {
 
@@ -78,7 +78,7 @@ ir::ValueId Expressions::EvaluateExpr(const Expr& expr) {
 #define PLCXX_WORD_FUNCTION(Kind, NameText, Operation, ...) \
   case ExprKind::k##Kind:                                   \
     return one(OpKind::k##Operation);
-#include "transpiler/dialects/nc110/functions.def"
+#include "transpiler/dialects/nc110/machine/functions.def"
     case ExprKind::kSgn:
       return one(OpKind::kSignBit8);
   }

@@ -9,8 +9,8 @@
 // cycle is half done (j != 0 of 4.3), and `period` counts `slice` on while it is set. With one slice neither exists.
 #pragma once
 
-#include "transpiler/dialects/nc110/options.h"
-#include "transpiler/dialects/nc110/syntax.h"
+#include "transpiler/dialects/nc110/machine/options.h"
+#include "transpiler/dialects/nc110/syntax/syntax.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/source/source.h"
 

@@ -1,6 +1,6 @@
 #include "transpiler/dialects/nc110/lowering/targets.h"
 
-#include "transpiler/dialects/nc110/accesses.h"
+#include "transpiler/dialects/nc110/analysis/accesses.h"
 #include "transpiler/dialects/nc110/lowering/cells.h"
 #include "transpiler/dialects/nc110/lowering/expirations.h"
 #include "transpiler/dialects/nc110/lowering/expressions.h"

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "transpiler/dialects/common/translation.h"
-#include "transpiler/dialects/prostep/memory.h"
-#include "transpiler/dialects/prostep/options.h"
-#include "transpiler/dialects/prostep/syntax.h"
+#include "transpiler/dialects/prostep/machine/memory.h"
+#include "transpiler/dialects/prostep/machine/options.h"
+#include "transpiler/dialects/prostep/syntax/syntax.h"
 
 namespace plcxx::prostep {
 

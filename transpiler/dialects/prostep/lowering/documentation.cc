@@ -7,7 +7,7 @@
 
 #include "transpiler/dialects/prostep/lowering/cells.h"
 #include "transpiler/dialects/prostep/lowering/instances.h"
-#include "transpiler/dialects/prostep/signals.h"
+#include "transpiler/dialects/prostep/machine/signals.h"
 
 namespace plcxx::prostep {
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "transpiler/dialects/prostep/analysis/warnings.h"
 #include "transpiler/dialects/prostep/lowering/arithmetic.h"
 #include "transpiler/dialects/prostep/lowering/bits.h"
 #include "transpiler/dialects/prostep/lowering/cells.h"
@@ -27,7 +28,6 @@
 #include "transpiler/dialects/prostep/lowering/schedule.h"
 #include "transpiler/dialects/prostep/lowering/statement_writer.h"
 #include "transpiler/dialects/prostep/lowering/timing.h"
-#include "transpiler/dialects/prostep/warnings.h"
 
 namespace plcxx::prostep {
 

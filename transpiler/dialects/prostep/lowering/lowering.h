@@ -5,8 +5,8 @@
 #pragma once
 
 #include "transpiler/diagnostics/diagnostics.h"
-#include "transpiler/dialects/prostep/options.h"
-#include "transpiler/dialects/prostep/syntax.h"
+#include "transpiler/dialects/prostep/machine/options.h"
+#include "transpiler/dialects/prostep/syntax/syntax.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/source/source.h"
 

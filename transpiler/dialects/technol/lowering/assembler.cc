@@ -142,7 +142,7 @@ void Assembler::Lower(const Instruction& instruction) {
       // TECHNOL's own instructions, and marks
 #define TECHNOL_ASSEMBLER(...)
 #define TECHNOL_INSTRUCTION(Key, ...) case Op::k##Key:
-#include "transpiler/dialects/technol/machine.def"
+#include "transpiler/dialects/technol/machine/machine.def"
     case Op::kMechanismBegin:
     case Op::kMechanismEnd:
     case Op::kModuleEnd:

@@ -8,12 +8,12 @@
 #include <initializer_list>
 
 #include "transpiler/dialects/common/translation.h"
-#include "transpiler/dialects/technol/flow.h"
+#include "transpiler/dialects/technol/analysis/flow.h"
+#include "transpiler/dialects/technol/lowering/register_file.h"
 #include "transpiler/dialects/technol/lowering/routines.h"
-#include "transpiler/dialects/technol/memory.h"
-#include "transpiler/dialects/technol/options.h"
-#include "transpiler/dialects/technol/register_file.h"
-#include "transpiler/dialects/technol/value_builder.h"
+#include "transpiler/dialects/technol/lowering/value_builder.h"
+#include "transpiler/dialects/technol/machine/memory.h"
+#include "transpiler/dialects/technol/machine/options.h"
 
 namespace plcxx::technol {
 

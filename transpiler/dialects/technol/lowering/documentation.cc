@@ -3,8 +3,8 @@
 #include <map>
 #include <utility>
 
-#include "transpiler/dialects/technol/names.h"
-#include "transpiler/dialects/technol/raised_errors.h"
+#include "transpiler/dialects/technol/parser/names.h"
+#include "transpiler/dialects/technol/syntax/raised_errors.h"
 
 namespace plcxx::technol {
 

@@ -1,7 +1,7 @@
 // Where the routine of a mechanism may begin, and whether its segments are the cases of a `switch` (routine.h).
 #pragma once
 
-#include "transpiler/dialects/technol/flow.h"
+#include "transpiler/dialects/technol/analysis/flow.h"
 #include "transpiler/dialects/technol/lowering/routine.h"
 
 namespace plcxx::technol {

@@ -118,7 +118,7 @@ void InstructionSet::LowerOwn(const Instruction& instruction) {
       // The marks of an area's end are after a RET.
 #define TECHNOL_INSTRUCTION(...)
 #define TECHNOL_ASSEMBLER(Key, ...) case Op::k##Key:
-#include "transpiler/dialects/technol/machine.def"
+#include "transpiler/dialects/technol/machine/machine.def"
     case Op::kAreaEnd:
     case Op::kUnknown:
       PLCXX_UNREACHABLE();

@@ -5,9 +5,9 @@
 // In: the paths of a tree without errors. Out: a complete program.
 #pragma once
 
-#include "transpiler/dialects/technol/flow.h"
-#include "transpiler/dialects/technol/options.h"
-#include "transpiler/dialects/technol/syntax.h"
+#include "transpiler/dialects/technol/analysis/flow.h"
+#include "transpiler/dialects/technol/machine/options.h"
+#include "transpiler/dialects/technol/syntax/syntax.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/source/source.h"
 

@@ -27,7 +27,7 @@
 #include <optional>
 #include <vector>
 
-#include "transpiler/dialects/technol/syntax.h"
+#include "transpiler/dialects/technol/syntax/syntax.h"
 #include "transpiler/ir/program.h"
 
 namespace plcxx::technol {

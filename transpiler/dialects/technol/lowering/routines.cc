@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/dialects/technol/analysis/subprogram_groups.h"
 #include "transpiler/dialects/technol/lowering/entries.h"
-#include "transpiler/dialects/technol/subprogram_groups.h"
 
 namespace plcxx::technol {
 

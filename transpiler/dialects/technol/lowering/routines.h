@@ -4,9 +4,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "transpiler/dialects/technol/flow.h"
+#include "transpiler/dialects/technol/analysis/flow.h"
 #include "transpiler/dialects/technol/lowering/routine.h"
-#include "transpiler/dialects/technol/options.h"
+#include "transpiler/dialects/technol/machine/options.h"
 
 namespace plcxx::technol {
 

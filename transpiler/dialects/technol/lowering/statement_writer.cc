@@ -6,7 +6,7 @@
 #include "transpiler/dialects/common/statement_texts.h"
 #include "transpiler/dialects/technol/lowering/cell_places.h"
 #include "transpiler/dialects/technol/lowering/segments.h"
-#include "transpiler/dialects/technol/parser.h"
+#include "transpiler/dialects/technol/parser/parser.h"
 
 namespace plcxx::technol {
 namespace {

@@ -1,12 +1,12 @@
 #include "transpiler/dialects/@name@/@name@.h"
 
 #include "transpiler/dialects/common/wiring.h"
-#include "transpiler/dialects/@name@/locate.h"
-#include "transpiler/dialects/@name@/lowering.h"
-#include "transpiler/dialects/@name@/options.h"
-#include "transpiler/dialects/@name@/parser.h"
-#include "transpiler/dialects/@name@/recognize.h"
-#include "transpiler/dialects/@name@/stub.h"
+#include "transpiler/dialects/@name@/control/locate.h"
+#include "transpiler/dialects/@name@/control/stub.h"
+#include "transpiler/dialects/@name@/lowering/lowering.h"
+#include "transpiler/dialects/@name@/machine/options.h"
+#include "transpiler/dialects/@name@/parser/parser.h"
+#include "transpiler/dialects/@name@/source/recognize.h"
 
 namespace plcxx::@name@ {
 namespace {

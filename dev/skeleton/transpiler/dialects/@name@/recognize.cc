@@ -1,7 +1,0 @@
-#include "transpiler/dialects/@name@/recognize.h"
-
-namespace plcxx::@name@ {
-
-bool Recognize(std::string_view /*text*/) { return false; }  // its extension or --dialect only
-
-}  // namespace plcxx::@name@

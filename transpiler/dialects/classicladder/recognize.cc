@@ -1,7 +1,0 @@
-#include "transpiler/dialects/classicladder/recognize.h"
-
-namespace plcxx::classicladder {
-
-bool Recognize(std::string_view text) { return text.starts_with("_FILES_CLASSICLADDER"); }
-
-}  // namespace plcxx::classicladder

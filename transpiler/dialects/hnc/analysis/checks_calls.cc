@@ -1,0 +1,188 @@
+// Recursion and call depth (specification 6.4), calls of set_mst_func (7.3).
+
+#include <algorithm>
+
+#include "transpiler/dialects/hnc/analysis/checks.h"
+#include "transpiler/dialects/hnc/syntax/walk.h"
+
+namespace plcxx::hnc {
+namespace {
+
+constexpr uint32_t kMostDepth = 64;
+
+struct CallSite {
+  FunctionId callee;
+  source::Range range;
+};
+
+class CallGraph {
+ public:
+  explicit CallGraph(const CheckContext& context) : context_(context), unit_(context.unit) {
+    sites_.resize(unit_.functions.size());
+    states_.resize(unit_.functions.size());
+    heights_.resize(unit_.functions.size());
+    for (const FunctionId id : unit_.definitions) {
+      ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId part) {
+        const Expr& expr = unit_.expressions[part];
+        if (expr.kind == ExprKind::kCall && expr.function.valid()) {
+          sites_[id.index].push_back({expr.function, expr.range});
+        }
+      });
+      std::ranges::stable_sort(sites_[id.index], {}, [](const CallSite& site) { return site.range.begin; });
+    }
+    // System functions that call others call what the program has in their place.
+    for (uint32_t i = 0; i < unit_.functions.size(); ++i) {
+      if (!unit_.functions[FunctionId(i)].system) continue;
+      for (const FunctionId callee : context.facts.CalleesOf(FunctionId(i))) {
+        sites_[i].push_back({callee, unit_.functions[callee].range});
+      }
+    }
+  }
+
+  void Run() {
+    for (const FunctionId root : {unit_.init, unit_.plc1, unit_.plc2}) Visit(root);
+    for (const Registration& registration : context_.facts.registrations()) Visit(registration.function);
+    for (const FunctionId id : unit_.definitions) Visit(id);
+    if (cyclic_) return;
+    for (const FunctionId id : unit_.definitions) {
+      if (heights_[id.index] <= kMostDepth || context_.facts.PartsOf(id) == 0) continue;
+      ReportDepth(id);
+      return;
+    }
+  }
+
+ private:
+  enum class State : uint8_t { kNew, kOpen, kDone };
+  struct Frame {
+    FunctionId function;
+    size_t next = 0;
+  };
+
+  void Visit(FunctionId root) {
+    if (!root.valid() || states_[root.index] != State::kNew) return;
+    std::vector<Frame> open = {{root}};
+    states_[root.index] = State::kOpen;
+    while (!open.empty()) {
+      Frame& frame = open.back();
+      const std::vector<CallSite>& sites = sites_[frame.function.index];
+      if (frame.next == sites.size()) {
+        states_[frame.function.index] = State::kDone;
+        const uint32_t height = heights_[frame.function.index] + 1;
+        open.pop_back();
+        if (!open.empty()) {
+          uint32_t& above = heights_[open.back().function.index];
+          above = std::max(above, height);
+        }
+        continue;
+      }
+      const CallSite& site = sites[frame.next++];
+      if (states_[site.callee.index] == State::kOpen) {
+        ReportCycle(open, site);
+      } else if (states_[site.callee.index] == State::kNew) {
+        states_[site.callee.index] = State::kOpen;
+        open.push_back({site.callee});
+      } else {
+        uint32_t& above = heights_[frame.function.index];
+        above = std::max(above, heights_[site.callee.index] + 1);
+      }
+    }
+  }
+
+  void ReportCycle(const std::vector<Frame>& open, const CallSite& site) {
+    cyclic_ = true;
+    std::string chain;
+    bool inside = false;
+    for (const Frame& frame : open) {
+      inside = inside || frame.function == site.callee;
+      if (inside) chain += unit_.functions[frame.function].name + " -> ";
+    }
+    context_.diagnostics.Report(site.range, diag::HncRecursive, chain + unit_.functions[site.callee].name);
+  }
+
+  void ReportDepth(FunctionId id) {
+    std::string chain = unit_.functions[id].name;
+    for (uint32_t depth = 0;; ++depth) {
+      const CallSite* deepest = nullptr;
+      for (const CallSite& site : sites_[id.index]) {
+        if (deepest == nullptr || heights_[site.callee.index] > heights_[deepest->callee.index]) deepest = &site;
+      }
+      if (deepest == nullptr) return;
+      if (depth == kMostDepth) {
+        context_.diagnostics.Report(deepest->range, diag::HncCallDepth, chain);
+        return;
+      }
+      id = deepest->callee;
+      if (depth < 2 || depth + 2 >= kMostDepth) {
+        chain += " -> " + unit_.functions[id].name;
+      } else if (depth == 2) {
+        chain += " -> ...";
+      }
+    }
+  }
+
+  const CheckContext& context_;
+  const Unit& unit_;
+  std::vector<std::vector<CallSite>> sites_;  // by FunctionId
+  std::vector<State> states_;
+  std::vector<uint32_t> heights_;  // calls below
+  bool cyclic_ = false;
+};
+
+std::string_view PartName(uint8_t parts) {
+  if ((parts & kPartFast) != 0) return "plc1() or a handler";
+  return "plc2()";
+}
+
+void CheckRegistrations(const CheckContext& context) {
+  const Unit& unit = context.unit;
+  for (const FunctionId id : unit.definitions) {
+    ForEachExprIn(unit, unit.functions[id].body, [&](ExprId part) {
+      const Expr& expr = unit.expressions[part];
+      if (expr.kind != ExprKind::kCall || !expr.function.valid() || expr.arguments.size() != 3) return;
+      if (unit.functions[expr.function].system != SystemFunction::kSetMstFunc) return;
+      const auto poison = std::ranges::any_of(
+          expr.arguments, [&](ExprId a) { return !a.valid() || unit.expressions[a].kind == ExprKind::kPoison; });
+      if (poison) return;
+      const uint8_t others = context.facts.PartsOf(id) & static_cast<uint8_t>(~kPartInit);
+      if (others != 0) context.diagnostics.Report(expr.range, diag::HncSetMstFuncPlace, PartName(others));
+      const Expr& channel = unit.expressions[expr.arguments[0]];
+      const Expr& kind = unit.expressions[expr.arguments[1]];
+      if (!channel.constant || channel.constant->integer < 0 || channel.constant->integer > 3) {
+        context.diagnostics.Report(expr.range, diag::HncSetMstFunc, "the channel is no constant from 0 to 3");
+        return;
+      }
+      const bool letter = kind.constant && kind.constant->integer > 0 && kind.constant->integer < 128 &&
+                          kHandlerKinds.find(static_cast<char>(kind.constant->integer)) != std::string_view::npos;
+      if (!letter) {
+        context.diagnostics.Report(expr.range, diag::HncSetMstFunc, "the kind is none of 'M', 'S', 'T', 'B', 'E'");
+        return;
+      }
+      const auto found = std::ranges::find(context.facts.registrations(), part, &Registration::call);
+      if (found == context.facts.registrations().end()) {
+        context.diagnostics.Report(expr.range, diag::HncSetMstFunc, "the handler is no name of a function and not 0");
+        return;
+      }
+      if (!found->function.valid()) return;
+      const Function& handler = unit.functions[found->function];
+      const bool is_void = unit.types[handler.result].kind == TypeKind::kVoid;
+      bool takes_int = handler.parameter_types.size() == 1;
+      if (takes_int) {
+        const Type& type = unit.types[handler.parameter_types[0]];
+        takes_int = type.kind == TypeKind::kInteger && type.bits == 16 && type.is_signed;
+      }
+      if (!is_void || !takes_int || !handler.is_defined) {
+        context.diagnostics.Report(expr.range, diag::HncSetMstFunc,
+                                   "'" + handler.name + "' is not defined as void " + handler.name + "(int)");
+      }
+    });
+  }
+}
+
+}  // namespace
+
+void CheckCalls(const CheckContext& context) {
+  CallGraph(context).Run();
+  CheckRegistrations(context);
+}
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,142 @@
+#include "transpiler/dialects/hnc/analysis/ranges.h"
+
+#include <utility>
+
+namespace plcxx::hnc {
+
+Bounds BoundsOf(const Type& type) {
+  const int64_t count = int64_t{1} << type.bits;
+  if (type.is_signed) return {-count / 2, count / 2 - 1};
+  return {0, count - 1};
+}
+
+std::optional<Bounds> Meet(const Bounds& a, const Bounds& b) {
+  const Bounds both{std::max(a.low, b.low), std::min(a.high, b.high)};
+  if (both.low > both.high) return std::nullopt;
+  return both;
+}
+
+namespace {
+
+Bounds Corners(const Bounds& a, const Bounds& b, int64_t (*apply)(int64_t, int64_t)) {
+  const int64_t corners[] = {apply(a.low, b.low), apply(a.low, b.high), apply(a.high, b.low), apply(a.high, b.high)};
+  return {*std::ranges::min_element(corners), *std::ranges::max_element(corners)};
+}
+
+/// The product of two factors up to this is one that an int64_t holds; that of two double words without sign is not.
+constexpr int64_t kMaxFactor = int64_t{1} << 31;
+int64_t Magnitude(const Bounds& bounds) { return std::max(std::abs(bounds.low), std::abs(bounds.high)); }
+
+/// The least number of all ones that is not below `value`.
+int64_t Ones(int64_t value) {
+  int64_t ones = 0;
+  while (ones < value) ones = ones * 2 + 1;
+  return ones;
+}
+
+std::optional<Bounds> Remainder(const Bounds& a, const Bounds& b) {
+  if (b.Holds(0)) return std::nullopt;
+  const int64_t most = std::max(std::abs(b.low), std::abs(b.high)) - 1;
+  return Bounds{a.low < 0 ? std::max(-most, a.low) : 0, a.high > 0 ? std::min(most, a.high) : 0};
+}
+
+}  // namespace
+
+std::optional<Bounds> Apply(BinaryOp op, const Bounds& a, const Bounds& b, const Type& type) {
+  const bool positive = a.low >= 0 && b.low >= 0;
+  switch (op) {
+    case BinaryOp::kAdd:
+      return Bounds{a.low + b.low, a.high + b.high};
+    case BinaryOp::kSubtract:
+      return Bounds{a.low - b.high, a.high - b.low};
+    case BinaryOp::kMultiply:
+      if (Magnitude(a) > kMaxFactor || Magnitude(b) > kMaxFactor) return std::nullopt;
+      return Corners(a, b, [](int64_t x, int64_t y) { return x * y; });
+    case BinaryOp::kDivide:
+      if (b.Holds(0)) return std::nullopt;
+      return Corners(a, b, [](int64_t x, int64_t y) { return x / y; });
+    case BinaryOp::kRemainder:
+      return Remainder(a, b);
+    case BinaryOp::kShiftLeft:
+      if (b.low < 0 || b.high >= type.bits || a.low < 0) return std::nullopt;
+      return Bounds{a.low << b.low, a.high << b.high};
+    case BinaryOp::kShiftRight:
+      if (b.low < 0 || b.high >= type.bits || a.low < 0) return std::nullopt;
+      return Bounds{a.low >> b.high, a.high >> b.low};
+    case BinaryOp::kBitAnd:
+      if (a.low >= 0 && b.low >= 0) return Bounds{0, std::min(a.high, b.high)};
+      if (a.low >= 0) return Bounds{0, a.high};
+      if (b.low >= 0) return Bounds{0, b.high};
+      return std::nullopt;
+    case BinaryOp::kBitOr:
+      if (!positive) return std::nullopt;
+      return Bounds{std::max(a.low, b.low), Ones(std::max(a.high, b.high))};
+    case BinaryOp::kBitXor:
+      if (!positive) return std::nullopt;
+      return Bounds{0, Ones(std::max(a.high, b.high))};
+    case BinaryOp::kLess:
+    case BinaryOp::kGreater:
+    case BinaryOp::kLessEqual:
+    case BinaryOp::kGreaterEqual:
+    case BinaryOp::kEqual:
+    case BinaryOp::kNotEqual:
+      return Bounds{0, 1};
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
+      break;
+  }
+  return std::nullopt;
+}
+
+std::optional<Bounds> Flow::Find(const Cell& cell) const {
+  const auto found = facts_.find(cell);
+  if (found == facts_.end()) return std::nullopt;
+  return found->second.bounds;
+}
+
+std::optional<Bounds> Flow::FindTested(const Cell& cell) const {
+  const auto found = facts_.find(cell);
+  if (found == facts_.end() || found->second.origin != Origin::kTested) return std::nullopt;
+  return found->second.bounds;
+}
+
+void Flow::Learn(const Cell& cell, const Bounds& bounds, Origin origin) {
+  if (facts_.size() >= kMostFacts && !facts_.contains(cell)) facts_.clear();
+  facts_.insert_or_assign(cell, Fact{bounds, origin});
+}
+
+void Flow::Narrow(const Cell& cell, const Bounds& bounds) {
+  const auto found = facts_.find(cell);
+  Learn(cell, bounds, found == facts_.end() ? Origin::kTested : found->second.origin);
+}
+
+void Flow::Forget(const Cell& cell) {
+  std::erase_if(facts_, [&cell](const auto& fact) { return fact.first.Overlaps(cell); });
+}
+
+void Flow::Forget(ObjectId object) {
+  std::erase_if(facts_, [object](const auto& fact) { return fact.first.object == object; });
+}
+
+void Flow::JoinWith(const Flow& other) {
+  if (!other.reachable) return;
+  if (!reachable) {
+    *this = other;
+    return;
+  }
+  for (auto fact = facts_.begin(); fact != facts_.end();) {
+    const auto found = other.facts_.find(fact->first);
+    if (found == other.facts_.end()) {
+      fact = facts_.erase(fact);
+      continue;
+    }
+    fact->second.bounds = Join(fact->second.bounds, found->second.bounds);
+    fact->second.origin = std::max(fact->second.origin, found->second.origin);
+    ++fact;
+  }
+  if (!critical) critical = other.critical;
+  unassigned.insert(other.unassigned.begin(), other.unassigned.end());
+}
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,125 @@
+// Functions: what they are, what may not be declared, their bodies (specification 4.1, 6.4, 9.4).
+#include <clang/AST/TypeLoc.h>
+
+#include <algorithm>
+
+#include "transpiler/dialects/hnc/machine/machine.h"
+#include "transpiler/dialects/hnc/machine/product_names.h"
+#include "transpiler/dialects/hnc/parser/clang/converter.h"
+
+namespace plcxx::hnc {
+namespace {
+
+bool IsEntry(std::string_view name) { return name == "init" || name == "plc1" || name == "plc2"; }
+
+/// Some declaration that the program or a header writes: a call alone declares nothing that the product would supply.
+bool IsWritten(const clang::FunctionDecl* function) {
+  return std::ranges::any_of(function->redecls(), [](const clang::FunctionDecl* d) { return !d->isImplicit(); });
+}
+
+}  // namespace
+
+/// What the product declares for a function of this name; null where it has none.
+const clang::FunctionDecl* Converter::Expected(const clang::FunctionDecl* function) const {
+  const auto expected = expected_.find(function->getNameAsString());
+  return expected == expected_.end() ? nullptr : llvm::dyn_cast<clang::FunctionDecl>(expected->second);
+}
+
+FunctionId Converter::FunctionOf(const clang::FunctionDecl* function) {
+  const clang::FunctionDecl* key = function->getCanonicalDecl();
+  const auto known = functions_.find(key);
+  if (known != functions_.end()) return known->second;
+  const clang::FunctionDecl* definition = function->getDefinition();
+  const clang::FunctionDecl* described = definition != nullptr ? definition : function->getMostRecentDecl();
+  Function result;
+  result.name = function->getNameAsString();
+  result.is_defined = definition != nullptr;
+  result.is_static = function->getFormalLinkage() == clang::Linkage::Internal;
+  if (definition == nullptr && IsWritten(function)) {
+    if (const FunctionRow* row = FindSystemFunction(result.name)) {
+      result.system = row->function;
+      if (const clang::FunctionDecl* expected = Expected(function)) {
+        // abs keeps the type of its argument where an option says so: then it has two declarations.
+        if (!described->hasAttrs()) described = expected;
+      }
+      const bool takes_long =
+          described->getNumParams() == 1 && context_.getTypeSize(described->getParamDecl(0)->getType()) == 32;
+      if (row->function == SystemFunction::kAbs && takes_long) result.system = SystemFunction::kLabs;
+    }
+  }
+  result.result = TypeOf(described->getReturnType());
+  result.has_prototype = described->hasWrittenPrototype();
+  for (const clang::ParmVarDecl* parameter : described->parameters()) {
+    result.parameter_types.push_back(TypeOf(parameter->getType()));
+  }
+  result.range = NameOf(described);
+  if (InProduct(described)) result.range = {};
+  const FunctionId id = unit_.functions.Add(std::move(result));
+  functions_.emplace(key, id);
+  return id;
+}
+
+void Converter::CheckFunction(const clang::FunctionDecl* function) {
+  const std::string name = function->getNameAsString();
+  const bool body = function->doesThisDeclarationHaveABody();
+  if (FindSystemName(name) || name == "plc1_time" || name == "plc2_time") {
+    findings().Report(NameOf(function), diag::HncRedefinitionSystem, name);
+  }
+  if (name != "set_mst_func") {
+    CheckDeclaredType(function->getReturnType(), Holder::kResult, name, NameOf(function));
+    for (const clang::ParmVarDecl* parameter : function->parameters()) {
+      if (body) break;  // as variables
+      const std::string text = parameter->getName().empty() ? name : parameter->getNameAsString();
+      CheckDeclaredType(parameter->getType(), Holder::kParameter, text, NameOf(parameter));
+    }
+  }
+  if (body && function->isVariadic() && function->getType()->isFunctionProtoType()) {
+    const source::Range dots = session_.places.OfToken(function->getEllipsisLoc());
+    findings().Report(dots.begin == 0 ? NameOf(function) : dots, diag::HncVariableArgument, "'" + name + "'");
+  }
+  // A definition takes the place of the product's function, if it has the same type; headers compare it themselves.
+  const clang::FunctionDecl* expected = Expected(function);
+  if (expected == nullptr || FindSystemFunction(name) == nullptr) return;
+  if (body || function->getType()->isFunctionProtoType()) {
+    const bool fits = context_.typesAreCompatible(function->getType(), expected->getType());
+    const bool mst = name == "set_mst_func";
+    const bool declared_before = function->getPreviousDecl() != nullptr && InProduct(function->getPreviousDecl());
+    if (!fits && !declared_before && !(mst && !body)) {
+      findings().Report(NameOf(function), diag::HncConflictingTypes, name);
+    }
+  }
+}
+
+void Converter::CheckEntry(const clang::FunctionDecl* function) {
+  const std::string name = function->getNameAsString();
+  if (name == "main") findings().Report(NameOf(function), diag::HncMain);
+  if (!IsEntry(name)) return;
+  const clang::QualType result = function->getReturnType();
+  const bool fits = result->isVoidType() || result->isSpecificBuiltinType(clang::BuiltinType::Int);
+  if (function->getNumParams() != 0 || !fits) findings().Report(NameOf(function), diag::HncEntryShape, name);
+}
+
+void Converter::Define(const clang::FunctionDecl* function) {
+  CheckEntry(function);
+  const FunctionId id = FunctionOf(function);
+  unit_.definitions.push_back(id);
+  function_ = id;
+  labels_.clear();
+  selectors_.clear();
+  std::vector<VariableId> parameters;
+  for (const clang::ParmVarDecl* parameter : function->parameters()) parameters.push_back(VariableOf(parameter));
+  unit_.functions[id].parameters = std::move(parameters);
+  source::Offset head_end = NameOf(function).end;
+  if (const clang::FunctionTypeLoc type = function->getFunctionTypeLoc()) {
+    head_end = std::max(head_end, session_.places.OfToken(type.getRParenLoc()).end);
+  }
+  unit_.functions[id].head = {session_.places.Of(function->getBeginLoc()), head_end};
+  unit_.functions[id].body = Convert(function->getBody());
+  const std::string name = function->getNameAsString();
+  if (name == "init") unit_.init = id;
+  if (name == "plc1") unit_.plc1 = id;
+  if (name == "plc2") unit_.plc2 = id;
+  function_ = {};
+}
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,147 @@
+// Types and layouts (specification 5.6).
+#include <clang/AST/RecordLayout.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "transpiler/dialects/hnc/parser/clang/converter.h"
+
+namespace plcxx::hnc {
+
+std::string Converter::TextOf(clang::QualType type) const {
+  return type.getUnqualifiedType().getAsString(context_.getPrintingPolicy());
+}
+
+/// Equal descriptions are one type.
+TypeId Converter::Add(Type type) {
+  std::string key = std::to_string(static_cast<int>(type.kind));
+  for (const uint32_t part :
+       {uint32_t{type.bits}, uint32_t{type.is_signed}, type.element.index, type.count, type.record.index}) {
+    key += ',' + std::to_string(part);
+  }
+  const auto known = types_.find(key);
+  if (known != types_.end()) return known->second;
+  const TypeId id = unit_.types.Add(std::move(type));
+  types_.emplace(std::move(key), id);
+  return id;
+}
+
+TypeId Converter::Integer(unsigned bits, bool is_signed) {
+  const char* const text = bits == 8    ? (is_signed ? "signed char" : "unsigned char")
+                           : bits == 16 ? (is_signed ? "int" : "unsigned int")
+                                        : (is_signed ? "long" : "unsigned long");
+  return Add({.kind = TypeKind::kInteger,
+              .bits = static_cast<uint8_t>(bits),
+              .is_signed = is_signed,
+              .element = {},
+              .count = 0,
+              .record = {},
+              .size = bits / 8,
+              .text = text});
+}
+
+TypeId Converter::TypeOf(clang::QualType qualified) {
+  const clang::QualType type = qualified.getCanonicalType().getUnqualifiedType();
+  const auto known = known_types_.find(type.getAsOpaquePtr());
+  if (known != known_types_.end()) return known->second;
+  const TypeId id = Describe(type);
+  known_types_.emplace(type.getAsOpaquePtr(), id);
+  return id;
+}
+
+TypeId Converter::Describe(clang::QualType type) {
+  constexpr unsigned kWidest = 32;  // wider ones have been refused
+  Type result;
+  result.text = TextOf(type);
+  if (type->isVoidType()) return Add(std::move(result));
+  if (type->isIntegralOrEnumerationType()) {
+    const unsigned bits = std::min(static_cast<unsigned>(context_.getTypeSize(type)), kWidest);
+    return Integer(bits, type->isEnumeralType() || type->isSignedIntegerType());
+  }
+  if (type->isRealFloatingType()) {
+    result.kind = TypeKind::kReal;
+    result.bits = context_.getTypeSize(type) == 32 ? 32 : 64;
+    result.size = result.bits / 8U;
+    return Add(std::move(result));
+  }
+  if (const auto* pointer = type->getAs<clang::PointerType>()) {
+    constexpr uint32_t kPointerBytes = 2;
+    result.kind = TypeKind::kPointer;
+    result.element = TypeOf(pointer->getPointeeType());
+    result.size = kPointerBytes;
+    return Add(std::move(result));
+  }
+  if (const clang::ArrayType* array = context_.getAsArrayType(type)) {
+    result.kind = TypeKind::kArray;
+    result.element = TypeOf(array->getElementType());
+    if (const auto* constant = llvm::dyn_cast<clang::ConstantArrayType>(array)) {
+      result.count = static_cast<uint32_t>(constant->getSize().getLimitedValue(0xFFFFFFFF));
+    }
+    const uint64_t size = uint64_t{result.count} * unit_.types[result.element].size;
+    result.size = static_cast<uint32_t>(std::min<uint64_t>(size, 0xFFFFFFFF));
+    return Add(std::move(result));
+  }
+  if (const auto* record = type->getAs<clang::RecordType>()) {
+    result.kind = TypeKind::kRecord;
+    result.record = RecordOf(record->getDecl());
+    result.size = unit_.records[result.record].size;
+    return Add(std::move(result));
+  }
+  result.kind = type->isFunctionType() ? TypeKind::kFunction : TypeKind::kVoid;
+  return Add(std::move(result));
+}
+
+RecordId Converter::RecordOf(const clang::RecordDecl* any) {
+  const clang::RecordDecl* definition = any->getDefinition();
+  const clang::RecordDecl* record =
+      definition != nullptr ? definition : llvm::cast<clang::RecordDecl>(any->getCanonicalDecl());
+  const auto known = records_.find(record);
+  if (known != records_.end()) return known->second;
+  Record result;
+  result.name = record->getNameAsString();
+  if (result.name.empty() && record->getTypedefNameForAnonDecl() != nullptr) {
+    result.name = record->getTypedefNameForAnonDecl()->getNameAsString();
+  }
+  result.is_union = record->isUnion();
+  result.range = NameOf(record);
+  const RecordId id = unit_.records.Add(std::move(result));
+  records_.emplace(record, id);
+  const bool sound =
+      definition != nullptr && !definition->isInvalidDecl() &&
+      std::ranges::none_of(definition->fields(), [](const auto* field) { return field->isInvalidDecl(); });
+  if (sound) FillMembers(definition, id);
+  return id;
+}
+
+void Converter::FillMembers(const clang::RecordDecl* record, RecordId id) {
+  const clang::ASTRecordLayout& layout = context_.getASTRecordLayout(record);
+  std::vector<Member> members;
+  uint64_t unit_begin = 0, unit_bits = 0;  // of the bit-field before; 0 bits: none, or closed
+  for (const clang::FieldDecl* field : record->fields()) {
+    Member member;
+    member.name = field->getNameAsString();
+    member.type = TypeOf(field->getType());
+    member.range = NameOf(field);
+    const uint64_t at = layout.getFieldOffset(field->getFieldIndex());
+    member.offset = static_cast<uint32_t>(at / 8);
+    if (!field->isBitField()) {
+      unit_bits = 0;
+    } else {
+      const uint64_t width = field->getBitWidthValue(context_);
+      const uint64_t bits = context_.getTypeSize(field->getType());
+      const bool goes_on =
+          !record->isUnion() && unit_bits == bits && at >= unit_begin && at + width <= unit_begin + bits;
+      if (!goes_on) unit_begin = at;
+      unit_bits = width == 0 ? 0 : bits;
+      member.is_bit_field = true;
+      member.offset = static_cast<uint32_t>(unit_begin / 8);
+      member.bit_offset = static_cast<uint8_t>(at - unit_begin);
+      member.bit_width = static_cast<uint8_t>(width);
+    }
+    members.push_back(std::move(member));
+  }
+  unit_.records[id].members = std::move(members);
+  unit_.records[id].size = static_cast<uint32_t>(layout.getSize().getQuantity());
+}
+
+}  // namespace plcxx::hnc

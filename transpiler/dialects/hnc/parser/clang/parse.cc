@@ -1,0 +1,190 @@
+// The module's one function: text to tokens to Clang's tree to ours.
+#include <clang/AST/ASTConsumer.h>
+#include <clang/AST/ASTContext.h>
+#include <clang/Lex/Preprocessor.h>
+#include <clang/Parse/ParseAST.h>
+#include <clang/Parse/Parser.h>
+#include <clang/Sema/Sema.h>
+#include <pthread.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <unordered_map>
+
+#include "transpiler/dialects/hnc/machine/product_names.h"
+#include "transpiler/dialects/hnc/parser/clang/converter.h"
+#include "transpiler/dialects/hnc/parser/clang/record_layout.h"
+#include "transpiler/dialects/hnc/parser/clang/session.h"
+
+namespace plcxx::hnc {
+namespace {
+
+/// Clang and the conversion follow the nesting of the program by recursion: chains of `else if`, sums and assignments
+/// have no limit of their own. Only what is used of it is real memory; where that much address space is not to be had,
+/// less has to do.
+constexpr size_t kStackBytes[] = {size_t{512} << 20, size_t{128} << 20, size_t{32} << 20};
+
+/// Runs `work` to its end on a stack of its own.
+template <class Work>
+void RunOnLargeStack(Work work) {
+  for (const size_t bytes : kStackBytes) {
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, bytes);
+    pthread_t thread{};
+    const auto run = [](void* argument) -> void* {
+      (*static_cast<Work*>(argument))();
+      return nullptr;
+    };
+    const bool started = pthread_create(&thread, &attributes, run, &work) == 0;
+    pthread_attr_destroy(&attributes);
+    if (!started) continue;
+    pthread_join(thread, nullptr);
+    return;
+  }
+  work();
+}
+
+/// Comments such as /*@loop_bound 8@*/ say the same as #pragma plcxx loop_bound(8).
+void AddLoopBounds(const std::vector<Comment>& comments, Findings& findings, std::vector<LoopBound>& bounds) {
+  constexpr std::string_view kMark = "@loop_bound";
+  for (const Comment& comment : comments) {
+    std::string_view text = comment.text;
+    if (!text.starts_with(kMark)) continue;
+    text.remove_prefix(kMark.size());
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    uint32_t rounds = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), rounds);
+    if (read.ec == std::errc{} && rounds >= 1 && rounds <= 65535) {
+      bounds.push_back({rounds, comment.range});
+    } else {
+      findings.Report(comment.range, diag::HncPragma, "loop_bound: the bound is a number from 1 to 65535");
+    }
+  }
+  std::ranges::sort(bounds, {}, [](const LoopBound& bound) { return bound.range.begin; });
+}
+
+std::string_view KindOf(const clang::Token& token) {
+  if (token.is(clang::tok::identifier)) return "name";
+  if (token.getIdentifierInfo() != nullptr) return "keyword";
+  if (token.is(clang::tok::numeric_constant)) return "number";
+  if (token.is(clang::tok::char_constant)) return "character";
+  if (token.is(clang::tok::string_literal)) return "string";
+  return "sign";
+}
+
+void PutTokens(Session& session) {
+  for (const clang::Token& token : session.tokens) {
+    if (token.is(clang::tok::eof) || session.places.InProduct(token.getLocation())) continue;
+    session.output.tokens.push_back(
+        {session.places.Of(token.getLocation()), KindOf(token), session.clang.getPreprocessor().getSpelling(token)});
+  }
+}
+
+/// Counts how often a name is declared at file level: Clang walks through all its declarations at the next one, and has
+/// no message for most of them.
+class Repetitions {
+ public:
+  explicit Repetitions(Session& session) : session_(session) {}
+
+  void Count(clang::DeclGroupRef group) {
+    for (const clang::Decl* declaration : group) {
+      const auto* named = llvm::dyn_cast<clang::NamedDecl>(declaration);
+      if (named == nullptr || named->getIdentifier() == nullptr) continue;
+      if (session_.stopped || session_.places.InProduct(named->getLocation())) continue;
+      if (++counts_[named->getIdentifier()] <= kMost) continue;
+      session_.findings().SetPhase(Phase::kMeaning);
+      session_.findings().Report(session_.places.OfToken(named->getLocation()), diag::HncRedefinition,
+                                 named->getNameAsString());
+      session_.Stop();
+    }
+  }
+
+ private:
+  static constexpr uint32_t kMost = 1000;
+
+  Session& session_;
+  std::unordered_map<const clang::IdentifierInfo*, uint32_t> counts_;  // only asked
+};
+
+void Run(const ParserInput& input, ParseUntil until, ParserOutput& output) {
+  Session session(input, until, output);
+  SetUp(session);
+  Preprocess(session);
+  FilterTokens(session);
+  if (until == ParseUntil::kTokens) return PutTokens(session);
+  ParseTokens(session);
+}
+
+}  // namespace
+
+void Session::Stop() {
+  stopped = true;
+  for (clang::Token& token : tokens) {
+    const clang::SourceLocation place = token.getLocation();
+    token.startToken();
+    token.setKind(clang::tok::eof);
+    token.setLocation(place);
+  }
+}
+
+void ParseTokens(Session& session) {
+  clang::CompilerInstance& clang = session.clang;
+  clang.createASTContext();
+  clang.getASTContext().setExternalSource(llvm::makeIntrusiveRefCnt<RecordLayouts>());
+  auto declarations = std::make_unique<Declarations>();
+  const Declarations& all = *declarations;
+  clang.setASTConsumer(std::move(declarations));
+  clang.createSema(clang::TU_Complete, nullptr);
+  clang::Sema& sema = clang.getSema();
+  clang::Preprocessor& preprocessor = clang.getPreprocessor();
+  preprocessor.EnterTokenStream(session.tokens, /*DisableMacroExpansion=*/true, /*IsReinject=*/true);
+  {
+    clang::Parser parser(preprocessor, sema, /*SkipFunctionBodies=*/false);
+    session.parser = &parser;
+    parser.Initialize();
+    clang::Parser::DeclGroupPtrTy group;
+    clang::Sema::ModuleImportState imports = clang::Sema::ModuleImportState::NotACXX20Module;
+    clang::ASTConsumer& consumer = clang.getASTConsumer();
+    Repetitions repetitions(session);
+    for (bool at_end = parser.ParseFirstTopLevelDecl(group, imports); !at_end;
+         at_end = parser.ParseTopLevelDecl(group, imports)) {
+      if (!group) continue;
+      repetitions.Count(group.get());
+      consumer.HandleTopLevelDecl(group.get());
+    }
+    session.parser = nullptr;
+    sema.ActOnEndOfTranslationUnit();
+  }
+  session.findings().SetPhase(Phase::kMeaning);
+  Converter(session).Run();
+  if (session.until == ParseUntil::kCode) session.output.bitcode = GenerateCode(session, all);
+}
+
+void Converter::Run() {
+  CollectComments();
+  loop_bounds_ = session_.loop_bounds;
+  AddLoopBounds(unit_.comments, findings(), loop_bounds_);
+  unit_.char_is_signed = context_.getLangOpts().CharIsSigned != 0;
+  const clang::TranslationUnitDecl* unit = context_.getTranslationUnitDecl();
+  for (const clang::Decl* declaration : unit->decls()) {
+    const auto* named = llvm::dyn_cast<clang::NamedDecl>(declaration);
+    if (named == nullptr || named->getDeclName().isEmpty()) continue;
+    const std::string name = named->getNameAsString();
+    const auto* function = llvm::dyn_cast<clang::FunctionDecl>(declaration);
+    if (function != nullptr && function->doesThisDeclarationHaveABody()) bodies_.insert(name);
+    if (name.starts_with(kExpectedPrefix)) expected_.emplace(name.substr(kExpectedPrefix.size()), named);
+  }
+  for (const clang::Decl* declaration : unit->decls()) Declare(declaration);
+  if (!session_.stopped) CheckCalls();
+  CheckEntries();
+}
+
+}  // namespace plcxx::hnc
+
+extern "C" __attribute__((visibility("default"))) void plcxx_hnc_parse(const plcxx::hnc::ParserInput& input,
+                                                                       plcxx::hnc::ParseUntil until,
+                                                                       plcxx::hnc::ParserOutput& output) {
+  plcxx::hnc::RunOnLargeStack([&] { plcxx::hnc::Run(input, until, output); });
+}

@@ -1,0 +1,90 @@
+// One run of the C parser: Clang's objects, and the way from its places to ours.
+#pragma once
+
+#include <clang/AST/ASTConsumer.h>
+#include <clang/AST/DeclGroup.h>
+#include <clang/Frontend/CompilerInstance.h>
+#include <clang/Lex/Token.h>
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "transpiler/dialects/hnc/parser/module.h"
+
+namespace clang {
+class Parser;
+}
+
+namespace plcxx::hnc {
+
+/// Places of the rewritten texts as places of the files. A place within a macro is the place of the macro's use.
+class Places {
+ public:
+  Places(const ParserInput& input, clang::CompilerInstance& clang) : input_(input), clang_(clang) {}
+
+  /// 0 for a place in a header of the product, and for no place.
+  source::Offset Of(clang::SourceLocation place) const;
+  /// Of the tokens from the one at `first` to the one at `last`.
+  source::Range Of(clang::SourceLocation first, clang::SourceLocation last) const;
+  source::Range Of(clang::SourceRange tokens) const { return Of(tokens.getBegin(), tokens.getEnd()); }
+  source::Range OfToken(clang::SourceLocation token) const { return Of(token, token); }
+  /// Does the place stand in a header of the product, not in a use of its macros?
+  bool InProduct(clang::SourceLocation place) const;
+
+ private:
+  const SourceText* TextOf(clang::FileID file) const;
+  source::Offset OfSpelled(clang::SourceLocation place, unsigned ahead) const;
+
+  const ParserInput& input_;
+  clang::CompilerInstance& clang_;
+  mutable std::unordered_map<unsigned, const SourceText*> texts_;  // by FileID
+};
+
+struct Session {
+  Session(const ParserInput& in, ParseUntil to, ParserOutput& out)
+      : input(in), until(to), output(out), places(in, clang) {}
+
+  const ParserInput& input;
+  ParseUntil until;
+  ParserOutput& output;
+  clang::CompilerInstance clang;
+  Places places;
+  const clang::Parser* parser = nullptr;                      // while it runs
+  std::vector<clang::Token> tokens;                           // after the preprocessor and the language's own words
+  std::unordered_map<source::Offset, MacroUseId> macro_uses;  // outermost uses by their places
+  std::vector<LoopBound> loop_bounds;                         // #pragma plcxx loop_bound, by place
+  bool stopped = false;  // nested too deep, too many errors: what follows the place is not looked at
+
+  Findings& findings() { return output.findings; }
+  clang::SourceManager& sources() { return clang.getSourceManager(); }
+  /// The parser, which reads `tokens`, finds their end after the token where it is.
+  void Stop();
+};
+
+/// Sets up Clang for the language (specification 3.7) and reports what it says through our catalogue.
+void SetUp(Session& session);
+/// Runs the preprocessor over the main source.
+void Preprocess(Session& session);
+/// Takes the language's own words out of the tokens: near, asm, interrupt, pseudo registers, what is an extension.
+void FilterTokens(Session& session);
+/// Parses the tokens and makes the tree.
+void ParseTokens(Session& session);
+
+/// What the parser has found, in its order.
+class Declarations : public clang::ASTConsumer {
+ public:
+  bool HandleTopLevelDecl(clang::DeclGroupRef group) override {
+    groups.push_back(group);
+    return true;
+  }
+  void CompleteTentativeDefinition(clang::VarDecl* variable) override { tentative.push_back(variable); }
+
+  std::vector<clang::DeclGroupRef> groups;
+  std::vector<clang::VarDecl*> tentative;  // variables that nothing initialises
+};
+
+/// LLVM's bitcode of what Clang makes of the program, after the tree is made (generate_code.cc); empty: it has errors.
+std::string GenerateCode(Session& session, const Declarations& declarations);
+
+}  // namespace plcxx::hnc

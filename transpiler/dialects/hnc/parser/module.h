@@ -1,0 +1,67 @@
+// What the tool and the parser's module (parser/, the only code that includes Clang) tell each other.
+//
+// The module is loaded at run time and has no function of the tool: texts come in through `open`, everything that it
+// finds goes out as data.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "transpiler/dialects/dialect.h"
+#include "transpiler/dialects/hnc/source/findings.h"
+#include "transpiler/dialects/hnc/source/source_text.h"
+#include "transpiler/dialects/hnc/syntax/syntax.h"
+
+namespace plcxx::hnc {
+
+/// The folders in which the module looks for files: that of the main source, one for each -I, the product's headers.
+inline constexpr std::string_view kMainFolder = "/src";
+inline constexpr std::string_view kIncludeFolder = "/inc";  // with the number of the -I after it
+inline constexpr std::string_view kProductFolder = "/sys";
+
+struct ParserInput {
+  std::string main_path;  // below kMainFolder
+  /// The file of a path below one of the folders; null where there is none. The same path gives the same text.
+  std::function<const SourceText*(const std::string& path)> open;
+  /// The program's text at a place, for messages.
+  std::function<std::string(source::Range)> text;
+  uint32_t include_folders = 0;  // how many -I
+  std::vector<dialects::MacroOption> macros;
+  bool char_is_signed = true;
+};
+
+/// An #include whose file does not exist.
+struct MissingInclude {
+  std::string name;
+  source::Range range;
+  bool quoted = false;
+  bool in_main = false;
+};
+
+/// One token after the preprocessor, for `print tokens`.
+struct TokenText {
+  source::Offset place = 0;
+  std::string_view kind;  // "identifier", "keyword", ...
+  std::string text;
+};
+
+struct ParserOutput {
+  Unit unit;
+  Findings findings;
+  std::vector<source::Range> left_out;  // groups of #if that do not count
+  std::vector<MissingInclude> missing;
+  std::vector<std::string> read;  // paths of all files that were read
+  std::vector<TokenText> tokens;  // only where asked for
+  std::string bitcode;            // likewise; empty: the program has errors
+  std::string compiler;           // that made it
+};
+
+/// kCode: the tree, and what Clang itself makes of the program.
+enum class ParseUntil : uint8_t { kTokens, kTree, kCode };
+
+using ParseFunction = void (*)(const ParserInput& input, ParseUntil until, ParserOutput& output);
+inline constexpr const char* kParseSymbol = "plcxx_hnc_parse";
+
+}  // namespace plcxx::hnc

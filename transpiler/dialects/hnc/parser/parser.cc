@@ -1,0 +1,187 @@
+#include "transpiler/dialects/hnc/parser/parser.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "transpiler/dialects/common/printing.h"
+#include "transpiler/dialects/hnc/machine/options.h"
+#include "transpiler/dialects/hnc/parser/files.h"
+#include "transpiler/dialects/hnc/parser/module.h"
+#include "transpiler/dialects/hnc/parser/module_loading.h"
+
+namespace plcxx::hnc {
+namespace {
+
+struct Parsed {
+  std::unique_ptr<ProgramFiles> files;
+  ParserOutput output;
+  std::string assumed_header;  // an include that was taken for the system header
+};
+
+class Run {
+ public:
+  explicit Run(dialects::Request& request) : request_(request), settings_(ReadSettings(request.options)) {}
+
+  Parsed Parse(ParseUntil until) {
+    Parsed parsed;
+    parsed.files = std::make_unique<ProgramFiles>(request_, settings_);
+    std::string reason;
+    const ParseFunction parse = LoadParser(reason);
+    if (parse == nullptr) {
+      request_.diagnostics->Report({}, diag::HncNoFrontEnd, reason);
+      parsed.output.unit.faulty = true;
+      return parsed;
+    }
+    parse(InputOf(*parsed.files), until, parsed.output);
+    const MissingInclude* assumed = SystemHeaderAmong(parsed);
+    if (assumed == nullptr) return parsed;
+    // 9.1: again, with this name for the system header.
+    Parsed second;
+    second.assumed_header = assumed->name;
+    second.files = std::make_unique<ProgramFiles>(request_, settings_);
+    second.files->TakeForSystemHeader(assumed->name);
+    parse(InputOf(*second.files), until, second.output);
+    request_.diagnostics->Report(assumed->range, diag::HncAssumedSystemHeader, assumed->name);
+    return second;
+  }
+
+ private:
+  ParserInput InputOf(ProgramFiles& files) const {
+    ParserInput input;
+    input.main_path = files.main_name();
+    input.open = [&files](const std::string& path) { return files.Open(path); };
+    input.text = [sources = request_.sources](source::Range range) { return std::string(sources->Text(range)); };
+    input.include_folders = static_cast<uint32_t>(request_.include_directories.size());
+    input.macros = request_.macros;
+    input.char_is_signed = settings_.plain_char == CharOption::kSigned && !files.main().unsigned_char;
+    return input;
+  }
+
+  /// The one quoted include of the main source that cannot be found, where no system header is included.
+  static const MissingInclude* SystemHeaderAmong(const Parsed& parsed) {
+    if (parsed.files->system_header_read()) return nullptr;
+    const MissingInclude* found = nullptr;
+    std::set<std::string> names;
+    for (const MissingInclude& missing : parsed.output.missing) {
+      if (!missing.quoted || !missing.in_main) continue;
+      names.insert(missing.name);
+      if (found == nullptr) found = &missing;
+    }
+    return names.size() == 1 ? found : nullptr;
+  }
+
+  dialects::Request& request_;
+  Settings settings_;
+};
+
+bool IsError(const Finding& finding) { return finding.row.severity == diag::Severity::kError; }
+
+/// Reports what counts: nothing in groups that are left out, nothing that only follows from a fault of the text or the
+/// syntax on the same line.
+class Reporter {
+ public:
+  Reporter(const dialects::Request& request, const Parsed& parsed) : request_(request), parsed_(parsed) {}
+
+  void Run() {
+    for (const MissingInclude& missing : parsed_.output.missing) {
+      request_.diagnostics->Report(missing.range, diag::HncCannotOpenInclude, missing.name);
+    }
+    std::vector<Finding> findings;
+    for (const std::string& path : parsed_.output.read) {
+      const SourceText* text = parsed_.files->Open(path);
+      if (text == nullptr) continue;
+      std::ranges::copy_if(text->findings.all(), std::back_inserter(findings),
+                           [&](const Finding& finding) { return !IsLeftOut(finding.range); });
+    }
+    std::ranges::copy(parsed_.output.findings.all(), std::back_inserter(findings));
+    std::ranges::stable_sort(findings, {}, &Finding::phase);
+    std::set<Line> divisions;  // a division by zero is also no constant expression
+    for (const Finding& finding : findings) {
+      if (finding.row.key == diag::HncDivisionByZero.row.key) divisions.insert(LineOf(finding.range));
+    }
+    for (const Finding& finding : findings) {
+      const bool explained =
+          finding.row.key == diag::HncConstantRequired.row.key && divisions.contains(LineOf(finding.range));
+      if (!explained && !Follows(finding)) Report(finding);
+    }
+  }
+
+ private:
+  using Line = std::pair<uint32_t, uint32_t>;  // file, line
+
+  Line LineOf(source::Range range) const {
+    const source::Position position = request_.sources->Locate(range.begin);
+    return {position.file.index, position.line};
+  }
+  bool IsLeftOut(source::Range range) const {
+    return std::ranges::any_of(parsed_.output.left_out, [&](source::Range group) {
+      return group.begin <= range.begin && range.begin < group.end;
+    });
+  }
+  bool Follows(const Finding& finding) {
+    if (!IsError(finding)) return false;
+    const Line line = LineOf(finding.range);
+    const bool follows = finding.phase != Phase::kText && faulty_lines_.contains(line);
+    if (!follows && finding.phase != Phase::kMeaning) faulty_lines_.insert(line);
+    return follows;
+  }
+  void Report(const Finding& finding) {
+    diag::Diagnostic& reported = request_.diagnostics->ReportRow(finding.range, finding.row, finding.arguments);
+    reported.notes = finding.notes;
+    reported.fixits = finding.fixits;
+  }
+
+  const dialects::Request& request_;
+  const Parsed& parsed_;
+  std::set<Line> faulty_lines_;
+};
+
+bool IsOneSource(const dialects::Request& request) {
+  if (request.files.size() == 1) return true;
+  if (request.files.size() > 1) {
+    request.diagnostics->Report({}, diag::HncOneSource, request.sources->Get(request.files[1]).path);
+  }
+  return false;
+}
+
+}  // namespace
+
+Unit Parse(dialects::Request& request) {
+  Unit faulty;
+  faulty.faulty = true;
+  if (!IsOneSource(request)) return faulty;
+  Parsed parsed = Run(request).Parse(ParseUntil::kTree);
+  Reporter(request, parsed).Run();
+  Unit& unit = parsed.output.unit;
+  unit.faulty = unit.faulty || request.diagnostics->HasErrors();
+  std::set<uint32_t> counted;
+  for (const std::string& path : parsed.output.read) {
+    const SourceText* text = parsed.files->Open(path);
+    if (text != nullptr && text->file.valid() && counted.insert(text->file.index).second) {
+      unit.line_count += request.sources->LineCount(text->file);
+    }
+  }
+  return std::move(parsed.output.unit);
+}
+
+CompiledUnit ParseAndCompile(dialects::Request& request) {
+  Parsed parsed = Run(request).Parse(ParseUntil::kCode);
+  return {std::move(parsed.output.unit), std::move(parsed.output.bitcode), std::move(parsed.output.compiler)};
+}
+
+std::string PrintTokens(dialects::Request& request) {
+  if (!IsOneSource(request)) return {};
+  const Parsed parsed = Run(request).Parse(ParseUntil::kTokens);
+  Reporter(request, parsed).Run();
+  std::string text;
+  for (const TokenText& token : parsed.output.tokens) {
+    text +=
+        dialects::PlaceText(*request.sources, token.place) + " " + std::string(token.kind) + " " + token.text + "\n";
+  }
+  return text;
+}
+
+}  // namespace plcxx::hnc

@@ -1,0 +1,79 @@
+#include "transpiler/dialects/host50/control/stub.h"
+
+#include <utility>
+
+#include "transpiler/dialects/host50/machine/places.h"
+
+namespace plcxx::host50 {
+namespace {
+
+/// What the machine holds of one byte of the image.
+struct InputByte {
+  uint8_t mask = 0;  // bits that have been set, or that the program writes
+  uint8_t value = 0;
+};
+
+bool IsInput(ir::SpaceId space) {
+  for (const Area area : {Area::kI, Area::kIw, Area::kIf}) {
+    if (SpaceOf({.area = area}) == space) return true;
+  }
+  return false;
+}
+
+class MachineStub final : public dialects::ControlStub {
+ public:
+  explicit MachineStub(const ir::Program& program) {
+    for (const ir::Inst& inst : program.insts) {
+      if (inst.op != ir::OpKind::kStore) continue;
+      const ir::Place& place = program.places[ir::PlaceId(inst.payload)];
+      if (!place.is_field() && IsInput(place.space)) Hold(place, 0);
+    }
+  }
+
+  uint64_t Call(const ir::HostFunction& function, std::span<const uint64_t> /*arguments*/, dialects::ImagePort& image,
+                std::optional<uint64_t>& /*out*/) override {
+    if (function.access == ir::HostAccess::kWritesState) Deliver(image);
+    return 0;
+  }
+
+  std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<MachineStub>(*this); }
+
+  bool Written(const ir::Place& place, uint64_t value, dialects::ImagePort&) override {
+    if (place.is_field() || !IsInput(place.space)) return false;
+    Hold(place, value);
+    return true;
+  }
+
+ private:
+  void Hold(const ir::Place& place, uint64_t value) {
+    if (place.type == ir::Type::kBit) {
+      const auto mask = static_cast<uint8_t>(1u << place.bit);
+      InputByte& held = bytes_[{place.space, place.offset}];
+      held.mask |= mask;
+      held.value = static_cast<uint8_t>((held.value & ~mask) | ((value & 1) != 0 ? mask : 0));
+      return;
+    }
+    for (uint32_t i = 0; i < ir::Bytes(place.type); ++i) {
+      bytes_[{place.space, place.offset + i}] = {.mask = 0xFF, .value = static_cast<uint8_t>(value >> (8 * i))};
+    }
+  }
+
+  void Deliver(dialects::ImagePort& image) {
+    for (const auto& [where, held] : bytes_) {
+      const uint8_t before = image.Get(where.first, where.second);
+      const auto after = static_cast<uint8_t>((before & ~held.mask) | held.value);
+      if (after != before) image.Set(where.first, where.second, after);
+    }
+  }
+
+  std::map<std::pair<ir::SpaceId, uint32_t>, InputByte> bytes_;
+};
+
+}  // namespace
+
+std::unique_ptr<dialects::ControlStub> MakeStub(const ir::Program& program,
+                                                const std::map<std::string, std::string>& /*options*/) {
+  return std::make_unique<MachineStub>(program);
+}
+
+}  // namespace plcxx::host50

@@ -1,0 +1,151 @@
+// Assignments: target, parameter, right-hand side.
+#include "transpiler/dialects/nc110/parser/internal.h"
+
+namespace plcxx::nc110 {
+
+void Parser::ParseAssignment(Item& item) {
+  Assignment assignment;
+  assignment.inverted = TakeIf(TokenKind::kSlash);
+  if (!AtOperand()) {
+    ReportNoStatement();
+    return;
+  }
+  if (ParseTarget(assignment) && Require(TokenKind::kAssign, "'='")) {
+    const Type type = TypeOf(assignment.target.operand.kind);
+    if (At(TokenKind::kFunction) && Peek().function == Function::kMux) {
+      assignment.mux = ParseMux(type, assignment.target.range);
+    } else {
+      assignment.value = ParseExpression(type);
+    }
+  }
+  if (!assignment.value.valid() && !assignment.mux.valid()) {
+    assignment.value = ErrorExpr(assignment.target.range);
+  }
+  item.kind = ItemKind::kAssignment;
+  item.detail = program_.assignments.Add(assignment).index;
+}
+
+/// Up to the '='. False: nothing can be said about the rest.
+bool Parser::ParseTarget(Assignment& assignment) {
+  const std::string text(TextOf(Peek()));
+  assignment.target = TakeOperand();
+  const source::Range range = assignment.target.range;
+  const OperandKind kind = assignment.target.operand.kind;
+  if (kind == OperandKind::kNone) {
+    panic_ = true;
+    return false;
+  }
+  const bool parameter = At(TokenKind::kOpenParenthesis);
+  if (!parameter && !At(TokenKind::kAssign)) {
+    Require(TokenKind::kAssign, "'='");
+    return false;
+  }
+  switch (kind) {
+    case OperandKind::kInput:
+      Fault(range, diag::Nc110InputTarget, Quoted(text));
+      break;
+    case OperandKind::kTimerElapsed:
+    case OperandKind::kTimerRunning:
+    case OperandKind::kCounterCarry:
+      Fault(range, diag::Nc110ReadOnlyTarget, Quoted(text));
+      break;
+    case OperandKind::kWord:
+    case OperandKind::kCounterValue:
+      if (assignment.inverted) {
+        Fault(range, diag::Nc110SignalTargetExpected, text);
+      }
+      break;
+    case OperandKind::kTimerInput:
+    case OperandKind::kCounterInput:
+      ParseParameter(assignment, text);
+      return !panic_;
+    case OperandKind::kNone:
+    case OperandKind::kOutput:
+    case OperandKind::kTimerHold:
+    case OperandKind::kCounterReset:
+    case OperandKind::kCounterDown:
+    case OperandKind::kOneShot:
+      break;
+  }
+  if (parameter) {
+    Expected("'='");
+  }
+  return !panic_;
+}
+
+void Parser::ReportParameterMissing(OperandKind target, std::string_view target_text) {
+  if (target == OperandKind::kTimerInput) {
+    Fault(MissingAt(), diag::Nc110DelayExpected, target_text);
+  } else {
+    Fault(MissingAt(), diag::Nc110ModulusExpected, target_text);
+  }
+}
+
+void Parser::ParseParameter(Assignment& assignment, std::string_view target_text) {
+  const OperandKind target = assignment.target.operand.kind;
+  assignment.parameter = ErrorExpr(assignment.target.range);
+  if (!TakeIf(TokenKind::kOpenParenthesis)) {
+    ReportParameterMissing(target, target_text);
+    return;
+  }
+  if (At(TokenKind::kNumber)) {
+    assignment.parameter = ParseParameterConstant(target);
+  } else if (AtOperand()) {
+    assignment.parameter = ParseParameterWord();
+  } else if (At(TokenKind::kFunction) || At(TokenKind::kAscii)) {
+    HardFault(Peek().range, diag::Nc110ParameterKind, Found());
+    return;
+  } else {
+    failed_ = failed_ || At(TokenKind::kBad);
+    ReportParameterMissing(target, target_text);
+    if (!At(TokenKind::kCloseParenthesis)) {
+      panic_ = true;
+      return;
+    }
+  }
+  Require(TokenKind::kCloseParenthesis, "')'");
+}
+
+ExprId Parser::ParseParameterConstant(OperandKind target) {
+  const ConstantUse constant = TakeConstant();
+  if (!constant.well_formed) {
+    return ErrorExpr(constant.range);
+  }
+  const bool timer = target == OperandKind::kTimerInput;
+  if (timer && (constant.value < 1 || constant.value > 255)) {
+    Fault(constant.range, diag::Nc110DelayRange, constant.text);
+    return ErrorExpr(constant.range);
+  }
+  if (!timer && (constant.value < 2 || constant.value > 255)) {
+    Fault(constant.range, diag::Nc110ModulusRange, constant.text);
+    return ErrorExpr(constant.range);
+  }
+  Expr expr;
+  expr.kind = ExprKind::kConstant;
+  expr.type = Type::kWord;
+  expr.range = constant.range;
+  expr.value = static_cast<uint8_t>(constant.value);
+  return program_.exprs.Add(expr);
+}
+
+/// The low byte of a pair; the last byte of a package has no neighbour.
+ExprId Parser::ParseParameterWord() {
+  const std::string text(TextOf(Peek()));
+  const OperandUse use = TakeOperand();
+  const Operand& word = use.operand;
+  if (word.kind == OperandKind::kNone) {
+    return ErrorExpr(use.range);
+  }
+  if (word.kind != OperandKind::kWord) {
+    Fault(use.range, diag::Nc110ParameterKind, Quoted(text));
+    return ErrorExpr(use.range);
+  }
+  if (word.number == ConnectorLimit(word.package) && word.index == 3) {
+    const char letter = PackageLetter(word.package);
+    Fault(use.range, diag::Nc110PairAtEnd, text, std::string_view(&letter, 1));
+    return ErrorExpr(use.range);
+  }
+  return OperandExpr(use);
+}
+
+}  // namespace plcxx::nc110

@@ -1,0 +1,139 @@
+// Operands, symbols and constants where the program uses them.
+#include "transpiler/dialects/nc110/parser/internal.h"
+
+namespace plcxx::nc110 {
+
+constexpr uint32_t kMaxOperands = 1024;
+
+OperandUse Parser::TakeOperand() {
+  const Token& token = Take();
+  const std::string_view text = TextOf(token);
+  OperandUse use;
+  use.range = token.range;
+  if (token.kind != TokenKind::kSymbol) {
+    if (token.kind == TokenKind::kOperand) {
+      CheckCase(token);
+    }
+    use.operand = ReadOperand(text, token.range);
+    return use;
+  }
+  if (token.faulty) {
+    return use;
+  }
+  const std::string_view name = text.substr(1);
+  use.symbol = FindSymbol(name);
+  if (use.symbol.valid()) {
+    use.operand = program_.symbols[use.symbol].operand;
+    failed_ = failed_ || use.operand.kind == OperandKind::kNone;  // its definition was reported
+  } else if (undefined_.insert(std::string(name)).second) {
+    if (Decode(name).fault == OperandFault::kNone) {
+      Fault(token.range, diag::Nc110SymbolIsAddress, name);
+    } else {
+      Fault(token.range, diag::Nc110SymbolUndefined, name);
+    }
+  } else {
+    failed_ = true;
+  }
+  return use;
+}
+
+/// Says what is meant where that is plain: words of other languages, numbers without their first digit, timers and
+/// counters without their field.
+void Parser::FaultOfUnknown(std::string_view run, source::Range range) {
+  if (IsMeantEnd(run, range)) {
+    failed_ = true;
+    return;
+  }
+  const std::string cause =
+      FindSymbol(run).valid() ? "it is a symbol: write !" + std::string(run) : CauseOfUnknown(run);
+  if (cause.empty()) {
+    Fault(range, diag::Nc110UnknownIdentifier, run);
+  } else {
+    Fault(range, diag::Nc110UnknownIdentifierCause, run, cause);
+  }
+}
+
+Operand Parser::ReadOperand(std::string_view run, source::Range range) {
+  const Decoded decoded = Decode(run);
+  const auto number = static_cast<diag::Number>(decoded.found);
+  const Package package = decoded.operand.package;
+  switch (decoded.fault) {
+    case OperandFault::kNone:
+      return decoded.operand;
+    case OperandFault::kUnknown: {
+      const std::string hint = LookAlike(run);
+      if (hint.empty()) {
+        FaultOfUnknown(run, range);
+      } else {
+        Fault(range, diag::Nc110UnknownIdentifierHint, run, hint).fixits.push_back({range, hint});
+      }
+      break;
+    }
+    case OperandFault::kConnector: {
+      const char letter = PackageLetter(package);
+      Fault(range, diag::Nc110ConnectorRange, run, number, std::string_view(&letter, 1), ConnectorLimit(package));
+      break;
+    }
+    case OperandFault::kBit:
+      Fault(range, diag::Nc110BitRange, run, number);
+      break;
+    case OperandFault::kBitMissing:
+      Fault(range, diag::Nc110BitMissing, run);
+      break;
+    case OperandFault::kWordIndex:
+      Fault(range, diag::Nc110WordIndexRange, run, number);
+      break;
+    case OperandFault::kWordIndexMissing:
+      Fault(range, diag::Nc110WordIndexMissing, run);
+      break;
+    case OperandFault::kTimer:
+      Fault(range, diag::Nc110TimerRange, run, number);
+      break;
+    case OperandFault::kCounter:
+      Fault(range, diag::Nc110CounterRange, run, number);
+      break;
+    case OperandFault::kOneShot:
+      Fault(range, diag::Nc110OneShotRange, run, number);
+      break;
+  }
+  return {};
+}
+
+Parser::ConstantUse Parser::TakeConstant() {
+  const Token& token = Take();
+  ConstantUse use;
+  use.range = token.range;
+  use.text = TextOf(token);
+  const Number number = Evaluate(use.text);
+  use.value = number.value;
+  use.well_formed = number.well_formed;
+  if (number.well_formed) {
+    CheckCase(token);
+  } else {
+    ReportMalformedNumber(token);
+  }
+  return use;
+}
+
+void Parser::ReportMalformedNumber(const Token& token) {
+  const std::string_view text = TextOf(token);
+  const std::string hint = LookAlike(text);
+  if (hint.empty()) {
+    Fault(token.range, diag::Nc110MalformedNumber, text);
+  } else {
+    Fault(token.range, diag::Nc110MalformedNumberHint, text, hint).fixits.push_back({token.range, hint});
+  }
+}
+
+void Parser::CountOperand() {
+  if (++operands_ == kMaxOperands + 1) {
+    HardFault(Peek().range, diag::Nc110TooComplex);
+  }
+}
+
+SymbolId Parser::FindSymbol(std::string_view name) const {
+  const auto found = symbols_.find(name.substr(0, kSignificant));
+  return found == symbols_.end() ? SymbolId() : found->second;
+}
+
+}  // namespace plcxx::nc110

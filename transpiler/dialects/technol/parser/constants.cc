@@ -1,0 +1,79 @@
+#include "transpiler/dialects/technol/parser/internal.h"
+
+namespace plcxx::technol {
+
+/// EQUI name,expr
+void Parser::TakeEqui(const Statement& statement) {
+  TokenReader reader(statement.words.subspan(1));
+  if (!reader.IsKind(TokenKind::kWord)) {
+    context_.Report(reader.AtEnd() ? statement.range : reader.Here(), diag::TechnolOperandMissing, "EQUI",
+                    "a name, a comma and a value");
+    return;
+  }
+  const Token& name = reader.Take();
+  if (!reader.TakePunctuation(',')) {
+    context_.Report(reader.Here(), diag::TechnolSyntax, Shown(reader.Peek()), "','");
+    return;
+  }
+  if (statement.label != nullptr) {
+    context_.Report(statement.label->range, diag::TechnolSurplus, "label '" + std::string(statement.label->text) + "'",
+                    "EQUI");
+    return;
+  }
+  DefineConstant(name, statement.words.subspan(3));
+  const SymbolId symbol = context_.names.Find(name.text);
+  if (symbol.valid() && context_.names[symbol].comments.count == 0) {
+    context_.names[symbol].comments = TakeComments(statement);
+  }
+}
+
+namespace {
+
+/// The value of all of `tokens`; none when it is wrong (reported).
+std::optional<int64_t> WholeConstant(std::span<const Token> tokens, const Token& name, ParsingContext& context) {
+  TokenReader reader(tokens);
+  if (reader.AtEnd()) {
+    context.Report(name.range, diag::TechnolOperandMissing, name.text, "a value");
+    return std::nullopt;
+  }
+  const std::optional<int64_t> value = ReadConstant(reader, context);
+  if (value && !reader.AtEnd()) {
+    context.Report(reader.Here(), diag::TechnolSurplus, Shown(reader.Peek()), name.text);
+    return std::nullopt;
+  }
+  return value;
+}
+
+}  // namespace
+
+void Parser::DefineConstant(const Token& name, std::span<const Token> expression) {
+  if (!context_.IsName(name)) return;
+  const std::optional<int64_t> value = WholeConstant(expression, name, context_);
+  const SymbolId known = context_.names.Find(name.text);
+  if (!known.valid()) {
+    const SymbolId symbol = context_.Define(name, {.kind = SymbolKind::kConstant, .value = value.value_or(0)});
+    if (symbol.valid()) context_.names[symbol].faulty = !value;
+    return;
+  }
+  Symbol& symbol = context_.names[known];
+  if (symbol.kind != SymbolKind::kConstant || symbol.origin != SymbolOrigin::kSource) {
+    context_.IsTaken(name);
+  } else if (value && !symbol.faulty && *value != symbol.value) {
+    context_.Report(name.range, diag::TechnolConstantRedefined, name.text, symbol.value, *value)
+        .notes.push_back({symbol.range, "it is defined here"});
+  }
+}
+
+void Parser::AssignConstant(const Token& name, std::span<const Token> expression) {
+  const SymbolId known = context_.names.Find(name.text);
+  if (!known.valid() || !assigned_.contains(known)) {  // EQUI and EQU are for good
+    DefineConstant(name, expression);
+    const SymbolId symbol = context_.names.Find(name.text);
+    if (!known.valid() && symbol.valid()) assigned_.insert(symbol);
+    return;
+  }
+  const std::optional<int64_t> value = WholeConstant(expression, name, context_);
+  if (value) context_.names.Assign(known, *value, context_.statement);
+}
+
+}  // namespace plcxx::technol

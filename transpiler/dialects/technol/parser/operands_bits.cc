@@ -1,0 +1,152 @@
+#include "transpiler/dialects/technol/parser/operands_internal.h"
+
+#include <algorithm>
+
+namespace plcxx::technol {
+
+/// Is there exactly one operand?
+bool OperandParser::IsSingleBit() {
+  int64_t operands = reader_.AtEnd() ? 0 : 1;
+  for (size_t i = 0; reader_.Peek(i) != nullptr; ++i) operands += reader_.IsPunctuation(',', i) ? 1 : 0;
+  if (operands == 1) return true;
+  context_.Report(instruction_.range, diag::TechnolOneBit, mnemonic_, operands);
+  return false;
+}
+
+/// IN0.1 for the second bit of a DFM: what that bit is called. Empty: the cell is no byte of a DFM.
+std::string OperandParser::BitOfByte(SymbolId cell) const {
+  const auto is_bit_of = [&](const Symbol& symbol) { return symbol.kind == SymbolKind::kBit && symbol.byte == cell; };
+  if (std::ranges::none_of(context_.program.symbols, is_bit_of)) return {};
+  const std::string name = context_.names[cell].name;
+  const Token* digits = reader_.IsPunctuation('.') ? reader_.Peek(1) : nullptr;
+  const Number number = digits == nullptr ? Number{} : ReadNumber(digits->text);
+  if (digits == nullptr || number.fault != NumberFault::kNone || number.value > 7) {
+    return "'" + name + "' is a byte: its bits have the names that its DFM gives them";
+  }
+  const std::string bit = "bit " + std::to_string(number.value) + " of '" + name + "'";
+  for (const Symbol& symbol : context_.program.symbols) {
+    if (is_bit_of(symbol) && symbol.bit == number.value) return bit + " has the name " + symbol.name;
+  }
+  return bit + " has no name: give it one in its DFM";
+}
+
+/// The name of a bit or a mechanism.
+std::optional<Operand> OperandParser::ReadBit() {
+  const Token& token = *reader_.Peek();
+  const auto refuse = [&](std::string_view what) {
+    reader_.TakeRest();
+    context_.Report(token.range, diag::TechnolBitExpected, mnemonic_, token.text, what);
+    return std::nullopt;
+  };
+  if (token.kind == TokenKind::kNumber) return refuse("a number");
+  if (token.kind != TokenKind::kWord || token.text == "?") {
+    context_.Report(token.range, diag::TechnolSyntax, Shown(&token), "the name of a bit");
+    return std::nullopt;
+  }
+  const std::string upper = Upper(token.text);
+  if (reader_.IsPunctuation('.', 1) && (upper == "BYTE" || upper == "WORD" || upper == "DWRD" || upper == "CNST")) {
+    return refuse(upper == "CNST" ? "a constant" : "data");
+  }
+  if (RegisterByName(upper) != Register::kNone) return refuse("a register");
+  const SymbolId symbol = TakeName("the name of a bit");
+  if (!symbol.valid()) return std::nullopt;
+  const Symbol& named = context_.names[symbol];
+  if (named.kind == SymbolKind::kMechanism) {
+    return Operand{.kind = OperandKind::kBit, .width = 1, .mechanism = named.unit, .symbol = symbol};
+  }
+  if (named.kind == SymbolKind::kCell) {
+    if (const std::string remedy = BitOfByte(symbol); !remedy.empty()) {
+      reader_.TakeRest();
+      context_.Report(token.range, diag::TechnolBitOfByte, mnemonic_, token.text, remedy);
+      return std::nullopt;
+    }
+  }
+  if (named.kind != SymbolKind::kBit) return refuse(KindText(named));
+  return Operand{.kind = OperandKind::kBit,
+                 .bit = named.bit,
+                 .width = 1,
+                 .address = {.area = named.area, .offset = named.offset, .base = named.byte},
+                 .symbol = symbol};
+}
+
+/// AND I1 and the like: the instructions of bits have names of their own.
+void OperandParser::ReportBitAsData(const Token& token) {
+  std::string_view meant;
+  if (instruction_.op == Op::kLod) meant = "LDR";
+  if (instruction_.op == Op::kSto) meant = "WR";
+  if (instruction_.op == Op::kAnd || instruction_.op == Op::kAsmAnd) meant = "LA";
+  if (instruction_.op == Op::kOr || instruction_.op == Op::kAsmOr) meant = "LO";
+  if (instruction_.op == Op::kMov) meant = "LDR and WR";
+  if (instruction_.op == Op::kNot) meant = "LDR with '-' in front of the name";
+  if (meant.empty()) {
+    context_.Report(token.range, diag::TechnolBitAsData, token.text);
+  } else {
+    context_.Report(token.range, diag::TechnolBitAsDataMeant, token.text, mnemonic_, meant);
+  }
+}
+
+void OperandParser::TakeBit(Access access) {
+  if (!IsSingleBit()) return;
+  const size_t first = reader_.position();
+  const bool negated = reader_.TakePunctuation('-');
+  if (negated && access == Access::kWrite) {
+    context_.Report(instruction_.range, diag::TechnolNegatedWrite, mnemonic_);
+    return;
+  }
+  if (!ExpectOperand("the name of a bit")) return;
+  std::optional<Operand> bit = ReadBit();
+  if (!bit) return;
+  bit->negated = negated;
+  Add(*bit, first);
+}
+
+/// 0 or 1, a comma and a bit.
+void OperandParser::TakeFlag() {
+  int64_t operands = reader_.AtEnd() ? 0 : 1;
+  for (size_t i = 0; reader_.Peek(i) != nullptr; ++i) operands += reader_.IsPunctuation(',', i) ? 1 : 0;
+  const size_t first = reader_.position();
+  const Token* value = reader_.Peek();
+  if (operands == 2 && value->kind != TokenKind::kNumber) {
+    while (!reader_.IsPunctuation(',')) reader_.Take();
+    context_.Report(reader_.RangeFrom(first), diag::TechnolFlagValue, mnemonic_, reader_.TextFrom(first));
+    return;
+  }
+  const Token* bit_behind = reader_.Peek(1);
+  if (operands == 1 && value->kind == TokenKind::kNumber && bit_behind != nullptr) {
+    context_.Report(instruction_.range, diag::TechnolFlagComma, mnemonic_,
+                    std::string(value->text) + "," + std::string(bit_behind->text));
+    return;
+  }
+  if (operands != 2) {
+    context_.Report(instruction_.range, diag::TechnolOneBit, std::string(mnemonic_) + " with its 0 or 1", operands);
+    return;
+  }
+  reader_.Take();
+  const Number number = ReadNumber(value->text);
+  if (number.fault != NumberFault::kNone || number.value > 1) {
+    context_.Report(value->range, diag::TechnolFlagValue, mnemonic_, value->text);
+    return;
+  }
+  Add({.kind = OperandKind::kConstant, .width = 1, .value = number.value}, first);
+  if (!ExpectComma()) return;
+  const size_t second = reader_.position();
+  if (reader_.TakePunctuation('-')) {
+    context_.Report(instruction_.range, diag::TechnolNegatedWrite, mnemonic_);
+    return;
+  }
+  if (!ExpectOperand("the name of a bit")) return;
+  const std::optional<Operand> bit = ReadBit();
+  if (!bit) return;
+  Add(*bit, second);
+  CheckRequest(*bit, number.value);
+}
+
+/// TW013: the program takes back what the control has begun.
+void OperandParser::CheckRequest(const Operand& bit, int64_t value) {
+  if (value != 0 || instruction_.op == Op::kWr || !bit.symbol.valid()) return;
+  const Symbol& symbol = context_.names[bit.symbol];
+  if (symbol.origin == SymbolOrigin::kSource || !symbol.name.starts_with("REQ_")) return;
+  context_.Report(instruction_.range, diag::TechnolRequestCleared, symbol.name);
+}
+
+}  // namespace plcxx::technol

@@ -1,0 +1,81 @@
+// What all parts of the parser share: the program being made, its names, and where messages go. Shared by its files
+// only.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "transpiler/diagnostics/diagnostics.h"
+#include "transpiler/dialects/technol/machine/options.h"
+#include "transpiler/dialects/technol/parser/parser.h"
+#include "transpiler/dialects/technol/parser/symbol_table.h"
+#include "transpiler/dialects/technol/source/lexer.h"
+#include "transpiler/dialects/technol/syntax/syntax.h"
+
+namespace plcxx::technol {
+
+class ParsingContext {
+ public:
+  ParsingContext(const source::SourceManager& all_sources, diag::Engine& engine, const Settings& options)
+      : sources(all_sources), diagnostics(engine), settings(options), names(program.symbols, options.names) {}
+
+  /// What is reported from now on belongs to statement `number`, which stands in `in` (none: in a file). Statements are
+  /// numbered in the order of the text.
+  void BeginStatement(uint32_t number, ExpansionId in) {
+    statement = number;
+    expansion = in;
+    faulty = false;
+  }
+
+  /// A statement that is in error gives no further errors (10.5).
+  template <class... Args, class... Values>
+  diag::Diagnostic& Report(source::Range range, const diag::Message<Args...>& message, Values&&... values) {
+    if (message.row.severity == diag::Severity::kError) {
+      if (faulty) return discarded_;
+      faulty = true;
+    }
+    diag::Diagnostic& diagnostic = diagnostics.Report(range, message, std::forward<Values>(values)...);
+    AddNotes(diagnostic, program, expansion);
+    return diagnostic;
+  }
+
+  /// The statement says nothing more: its cause has been reported elsewhere.
+  void Forgive() { faulty = true; }
+
+  /// An undefined name, once for each name.
+  void ReportUndefined(std::string_view name, source::Range range);
+  /// `behind`: the text of the next token, where a reserved word may be meant with it.
+  void ReportReserved(const Token& token, std::string_view behind);
+  /// At most 31 characters (TE003), reported once for each name.
+  bool IsShort(const Token& token);
+  /// A name may be defined by the statement: length and reserved words (2.3). Reports.
+  bool IsName(const Token& token);
+  /// Reports a name that is taken; false when it is free.
+  bool IsTaken(const Token& name);
+  /// Defines a name that may be defined; not valid when it may not (reported).
+  SymbolId Define(const Token& name, Symbol symbol);
+
+  const source::SourceManager& sources;
+  diag::Engine& diagnostics;
+  const Settings& settings;
+  Program program;
+  SymbolTable names;
+  uint32_t statement = 0;
+  ExpansionId expansion;
+  bool faulty = false;
+
+ private:
+  /// The name of the program that is spelled nearly so; empty when none is.
+  std::string NearName(std::string_view name);
+
+  uint32_t near_searches_ = 0;
+  std::set<std::string, std::less<>> undefined_, too_long_;
+  diag::Diagnostic discarded_;
+};
+
+/// "'X'", or "the end of the line": a token for messages.
+std::string Shown(const Token* token);
+
+}  // namespace plcxx::technol
