@@ -16,7 +16,7 @@ struct Record {
 
 std::optional<uint32_t> NumberOf(std::string_view text) {
   if (text.empty() || !IsDigit(text[0])) return std::nullopt;
-  const Number number = Evaluate(text);
+  const auto number = Evaluate(text);
   if (!number.well_formed) return std::nullopt;
   return number.value;
 }
