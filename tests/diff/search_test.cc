@@ -183,6 +183,51 @@ TEST(Search, WhatIsSeenIsSeenAgainFromPowerOn) {
   }
 }
 
+/// A code in six words one after the other, and no scenario that knows it: in hundreds of runs at once, with words that
+/// the program compares with, some go through. What they show is shown in the simulator, from power-on.
+TEST(Search, RunsBesideEachOtherGoThroughACode) {
+  const testing_support::TemporaryDirectory old_directory, new_directory;
+  const auto program = [](const std::string& input) {
+    return "$\nU100K0 = [W0A0=157] + U100K0\nU100K1 = U100K0*[W0A0=46] + U100K1\n"
+           "U100K2 = U100K1*[W0A0=211] + U100K2\nU100K3 = U100K2*[W0A0=98] + U100K3\n"
+           "U100K4 = U100K3*[W0A0=77] + U100K4\nU100K5 = U100K4*[W0A0=12] + U100K5\n"
+           "U100K6 = U100K5*" +
+           input + "\nU4A0 = U100K6\n";
+  };
+  old_directory.Write("p.plc", program("I1A0"));
+  new_directory.Write("p.plc", program("I1A1"));
+  const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
+    compilation::CompilationRequest request;
+    request.sources = {"p.plc"};
+    request.base_directory = directory.path().string();
+    request.dialect = "nc110";
+    return MakeDiffSide(name, request);
+  };
+  const DiffSide old_side = side("old", old_directory), new_side = side("new", new_directory);
+  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
+                                new_version = prove::machine::MakeVersion(new_side.whole);
+  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, {});
+  const CellWords words(old_version, old_side.compilation);
+  std::vector<execute::CellId> cells, sought;
+  for (uint32_t i = 0; i < old_version.cells.count; ++i) {
+    const execute::CellId cell(i);
+    if (!match.new_of_old[i].valid() || !prove::machine::IsState(old_version, cell)) continue;
+    cells.push_back(cell);
+    if (words.WordOf(cell).name == "U4A0") sought.push_back(cell);
+  }
+  ASSERT_EQ(sought.size(), 1U);
+  DirectedSearch search(old_side, new_side, old_version, new_version, match, words, cells);
+  RandomRuns found;
+  using Clock = std::chrono::steady_clock;
+  search.RunWide(sought, Clock::now() + std::chrono::seconds(60), found);
+  ASSERT_TRUE(found.difference_of.contains(sought.front()));
+  const RandomRuns::Difference& difference = found.difference_of.at(sought.front());
+  const Stimuli& whole = found.runs[difference.run];
+  const Shortener::Shows shows = ShowsDifference(old_side, new_side, old_version, new_version, {sought.front()},
+                                                 {match.new_of_old[sought.front().index]});
+  EXPECT_TRUE(shows(Stimuli(whole.begin(), whole.begin() + difference.steps), Clock::time_point::max()));
+}
+
 /// Two contactors; in step 3 of a counter the second one is on. Steps begin behind a code that nobody guesses.
 std::string Contactors(const std::string& interlock, const std::string& also) {
   return "$\nU100K0 = [W0A0=157] + U100K0\nU100K1 = U100K0*[W0A0=46] + U100K1\nC20I(5) = U100K1*I0A0*/C20I\n"

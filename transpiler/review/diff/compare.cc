@@ -221,7 +221,7 @@ DiffSide MakeDiffSide(std::string label, const compilation::CompilationRequest& 
 
 Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& options) {
   using Clock = std::chrono::steady_clock;
-  const Clock::time_point whole_end = Clock::now() + std::chrono::milliseconds(options.time_ms);
+  const Clock::time_point begin = Clock::now(), whole_end = begin + std::chrono::milliseconds(options.time_ms);
   std::vector<std::pair<ir::Place, ir::Place>> same;
   if (std::optional<std::string> wrong = PlacesOf(old_side, new_side, options, same)) return {.refusal = *wrong};
   const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
@@ -268,6 +268,10 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
                .round = round},
               options, runs);
     };
+    // To begin with it executes both versions once more, which is worth it while most of the time is left.
+    const auto run_wide = [&](Clock::time_point wide_end) {
+      if (compare_end - Clock::now() > (Clock::now() - begin) / 4) search->RunWide(open(), wide_end, runs);
+    };
     switch (effort) {
       case Effort::kScenarios:
         if (!std::exchange(scenarios_are_run, true)) search->RunScenarios(part(kScenariosShare), runs);
@@ -278,15 +282,19 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
         break;
       case Effort::kThorough:
         search->Follow(sought.runs, part(kSearchShare), runs);
+        run_wide(part(kSearchShare));
         search->Run(open(), part(kSearchShare), runs);
         run_both(open(), compare_end);
         break;
       case Effort::kLasting: {
         search->Follow(sought.runs, compare_end, runs);
+        const Clock::time_point lasting_end = std::min(compare_end, Clock::now() + std::chrono::milliseconds(most_ms));
+        // Where much is open it is found in many runs at once, or hardly.
+        const bool is_many = open().size() > kMostSought;
+        run_wide(lasting_end - std::chrono::milliseconds(is_many ? most_ms / 5 : most_ms / 2));
         // By turns: what begins with a machine at work, and what waits long or counts from power-on.
         ++round;
-        const Clock::time_point half_end = std::min(compare_end, Clock::now() + std::chrono::milliseconds(most_ms / 2));
-        const Clock::time_point lasting_end = std::min(compare_end, Clock::now() + std::chrono::milliseconds(most_ms));
+        const Clock::time_point half_end = Clock::now() + (lasting_end - Clock::now()) / 2;
         const bool is_run = open().size() <= kMostSought;
         search->Run(open(), is_run ? half_end : lasting_end, runs);
         if (is_run) run_both(open(), lasting_end);

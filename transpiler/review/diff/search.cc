@@ -302,15 +302,7 @@ void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, Rand
   const uint64_t now_ms = old_machine_.time_ms();
   const auto repeat = [&](const prove::diff::Run& run) {
     GoTo(from);
-    // What is set, and as much time as passes until something is set again.
-    for (size_t period = 0; period < run.periods.size();) {
-      Stimulus stimulus{.inputs = run.periods[period], .words = {}};
-      do {
-        stimulus.ms += period_ms_;
-        ++period;
-      } while (period < run.periods.size() && run.periods[period].empty());
-      if (!Step(stimulus, result)) break;
-    }
+    Repeat(run, result);
   };
   prove::diff::AimLimits limits{.most_periods = kAimedPasses * pass_periods_, .end = limit};
   // Each answer is one more location then, and most of them are small questions.
@@ -331,6 +323,48 @@ void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, Rand
   // To be asked again when there is more time.
   GoTo(from);
   Keep(Kept::kNew);
+}
+
+void DirectedSearch::Repeat(const prove::diff::Run& run, RandomRuns& result) {
+  // What is set, and as much time as passes until something is set again.
+  for (size_t period = 0; period < run.periods.size();) {
+    Stimulus stimulus{.inputs = run.periods[period], .words = {}};
+    do {
+      stimulus.ms += period_ms_;
+      ++period;
+    } while (period < run.periods.size() && run.periods[period].empty());
+    if (!Step(stimulus, result)) return;
+  }
+}
+
+void DirectedSearch::RunWide(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
+  end_ = end;
+  old_machine_.EndAt(end);
+  new_machine_.EndAt(end);
+  if (!wide_) {
+    wide_.emplace(prove::diff::UnrolledVersions{.old_version = old_version_,
+                                                .new_version = new_version_,
+                                                .match = match_,
+                                                .old_uses = old_uses_,
+                                                .new_uses = new_uses_,
+                                                .requests = requested_},
+                  cells_, end);
+  }
+  // Runs that begin alike are repeated from where they part, or a little before.
+  constexpr size_t kPeriodsBetweenMoments = 8;
+  std::vector<Moment> moments;  // one for so many periods each
+  wide_->Search(
+      sought, end, [&result](CellId cell) { return !result.difference_of.contains(cell); },
+      [&](const prove::diff::Run& run, size_t shared) {
+        const size_t kept = std::min(moments.size(), shared / kPeriodsBetweenMoments + 1);
+        moments.erase(moments.begin() + static_cast<std::ptrdiff_t>(kept), moments.end());
+        GoTo(moments.empty() ? between_.front() : moments.back());
+        size_t period = moments.empty() ? 0 : (moments.size() - 1) * kPeriodsBetweenMoments;
+        for (; period < run.periods.size(); ++period) {
+          if (period == moments.size() * kPeriodsBetweenMoments) moments.push_back(Here());
+          if (!Step({.inputs = run.periods[period], .words = {}, .ms = period_ms_}, result)) return;
+        }
+      });
 }
 
 void DirectedSearch::Run(const std::vector<CellId>& sought, Time end, RandomRuns& result) {

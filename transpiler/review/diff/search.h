@@ -11,11 +11,13 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "transpiler/prove/diff/wide_runs.h"
 #include "transpiler/review/diff/machine.h"
 #include "transpiler/review/diff/runs.h"
 #include "transpiler/symbolic/terms/random.h"
@@ -37,6 +39,8 @@ class DirectedSearch {
   void Follow(const std::vector<prove::diff::Run>& computed, Time end, RandomRuns& result);
   /// Until `end`, or until each of `sought` (old cells, those that matter most first) has differed.
   void Run(const std::vector<execute::CellId>& sought, Time end, RandomRuns& result);
+  /// The same with runs that were seen to differ in many lanes at once (prove/diff/wide_runs.h), each repeated here.
+  void RunWide(const std::vector<execute::CellId>& sought, Time end, RandomRuns& result);
   /// The moments that are kept, as one version saw them.
   void ForEachSeenState(prove::diff::Which which,
                         const std::function<void(const prove::invariants::CellValues&, uint64_t now_ms)>& visit);
@@ -82,6 +86,8 @@ class DirectedSearch {
   void DisturbMany(Stimulus& stimulus);
   /// The next moment of which the solver was not asked yet; null: there is none.
   Moment* NextToAsk(bool is_many);
+  /// Does what a run sets, by time, and compares after each period.
+  void Repeat(const prove::diff::Run& run, RandomRuns& result);
   /// Asks the solver what has to be set at the moment, and does that.
   void Aim(Moment& moment, const std::vector<execute::CellId>& sought, RandomRuns& result);
   void Disturb(const Input& input, Stimulus& stimulus);
@@ -98,6 +104,7 @@ class DirectedSearch {
   std::vector<execute::CellId> compared_calls_;
   std::vector<Input> inputs_, behind_, near_;   // all; those after what was changed; those that it reads soon
   std::vector<prove::diff::SetCell> requests_;  // that the control clears
+  std::vector<execute::CellId> requested_;      // the same, as old cells
   std::vector<bool> is_settable_;  // by old cell: a scenario may; what one version alone has is nobody else's
   std::vector<execute::CellId> read_by_changed_;
   std::vector<uint64_t> constants_;
@@ -116,6 +123,8 @@ class DirectedSearch {
   uint32_t pass_periods_ = 1;                                 // of a whole slow pass
   std::chrono::steady_clock::duration searched_{}, aimed_{};  // time that both ways took
   bool has_new_difference_ = false;
+  std::vector<execute::CellId> cells_;  // what is looked at
+  std::optional<prove::diff::WideRuns> wide_;
   terms::Random random_{0x8EBC6AF09C88C6E3};
 };
 

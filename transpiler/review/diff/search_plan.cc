@@ -76,7 +76,8 @@ DirectedSearch::DirectedSearch(const DiffSide& old_side, const DiffSide& new_sid
       new_machine_(new_side, new_version, Time::max() - std::chrono::hours(1)),
       old_uses_(prove::machine::UsesOf(old_version)),
       new_uses_(prove::machine::UsesOf(new_version)),
-      period_ms_(std::max(1U, old_side.compilation.program.schedule.period_ms)) {
+      period_ms_(std::max(1U, old_side.compilation.program.schedule.period_ms)),
+      cells_(cells) {
   is_settable_.assign(old_version.cells.count, false);
   for (const CellId cell : cells) is_settable_[cell.index] = true;
   for (uint32_t i = 0; i < old_version.cells.count; ++i) {
@@ -227,7 +228,8 @@ void DirectedSearch::FindInputs() {
     }
     inputs_.push_back(std::move(bits));
   }
-  for (const CellId cell : prove::diff::MatchedRequests(old_version_, new_version_, match_))
+  requested_ = prove::diff::MatchedRequests(old_version_, new_version_, match_);
+  for (const CellId cell : requested_)
     requests_.push_back({.old_cell = cell, .new_cell = match_.new_of_old[cell.index]});
   const auto read_inputs = [&] {
     std::vector<Input> read;

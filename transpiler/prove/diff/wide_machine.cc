@@ -1,0 +1,120 @@
+#include "transpiler/prove/diff/wide_machine.h"
+
+#include <algorithm>
+
+namespace plcxx::prove::diff {
+namespace {
+
+constexpr uint8_t kTimeWidth = 32;
+
+}  // namespace
+
+std::vector<execute::CellId> DependedOn(const terms::Terms& terms, const machine::Relation& relation,
+                                        std::span<const execute::CellId> wanted) {
+  std::vector<bool> has_cell(relation.version().cells.count), has_term(terms.size());
+  std::vector<execute::CellId> open(wanted.begin(), wanted.end());
+  std::vector<terms::TermId> open_terms;
+  for (const execute::CellId cell : open) has_cell[cell.index] = true;
+  while (!open.empty() || !open_terms.empty()) {
+    if (open_terms.empty()) {
+      const execute::CellId cell = open.back();
+      open.pop_back();
+      for (const std::vector<terms::TermId>* const part : {&relation.fast(), &relation.period()}) {
+        if (cell.index < part->size() && (*part)[cell.index].valid()) open_terms.push_back((*part)[cell.index]);
+      }
+      continue;
+    }
+    const terms::TermId id = open_terms.back();
+    open_terms.pop_back();
+    if (has_term[id.index]) continue;
+    has_term[id.index] = true;
+    if (terms[id].kind != terms::TermKind::kVariable) {
+      terms.ForEachOperand(terms[id], [&](terms::TermId operand) { open_terms.push_back(operand); });
+      continue;
+    }
+    const execute::CellId cell = relation.CellOf(id);
+    if (!cell.valid() || has_cell[cell.index]) continue;
+    has_cell[cell.index] = true;
+    open.push_back(cell);
+  }
+  std::vector<execute::CellId> cells;
+  for (uint32_t i = 0; i < has_cell.size(); ++i) {
+    if (has_cell[i]) cells.emplace_back(i);
+  }
+  return cells;
+}
+
+WideMachine::WideMachine(const terms::Terms& terms, machine::Relation& relation,
+                         const std::vector<execute::CellId>& cells, const machine::Transition& init)
+    : first_plane_(relation.version().cells.count, kNowhere), width_(relation.version().cells.count) {
+  const machine::Version& version = relation.version();
+  for (const execute::CellId cell : cells) {
+    const uint8_t width = execute::CellWidth(*version.program, execute::CellAt(*version.program, version.cells, cell));
+    first_plane_[cell.index] = now_plane_;
+    width_[cell.index] = width;
+    now_plane_ += width;
+    // What a host function answers at power-on is 0 here.
+    const terms::TermId begins = init.next[cell.index];
+    const uint64_t value = begins.valid() && terms.IsConst(begins) ? terms.Value(begins) : 0;
+    for (uint8_t i = 0; i < width; ++i) at_power_on_.emplace_back().Fill((value >> i & 1) != 0);
+  }
+  at_power_on_.resize(now_plane_ + kTimeWidth);
+  std::vector<terms::LaneProgram::VariableAt> variables;
+  for (const execute::CellId cell : cells) {
+    variables.push_back({relation.VariableOf(cell), first_plane_[cell.index]});
+  }
+  variables.push_back({relation.now(), now_plane_});
+  const auto compile = [&](const std::vector<terms::TermId>& next, std::optional<PartProgram>& part) {
+    std::vector<terms::TermId> roots;
+    std::vector<execute::CellId> written;
+    for (const execute::CellId cell : cells) {
+      if (cell.index >= next.size() || !next[cell.index].valid()) continue;
+      roots.push_back(next[cell.index]);
+      written.push_back(cell);
+    }
+    if (roots.empty()) return;
+    part.emplace(PartProgram{terms::LaneProgram(terms, variables, roots), std::move(written)});
+  };
+  compile(relation.fast(), fast_);
+  compile(relation.period(), period_);
+  PowerOn();
+}
+
+void WideMachine::PowerOn() { state_ = at_power_on_; }
+
+std::span<terms::Plane> WideMachine::Planes(execute::CellId cell) {
+  return {&state_[first_plane_[cell.index]], width_[cell.index]};
+}
+std::span<const terms::Plane> WideMachine::Planes(execute::CellId cell) const {
+  return {&state_[first_plane_[cell.index]], width_[cell.index]};
+}
+
+void WideMachine::Run(machine::Part part, uint64_t now_ms) {
+  std::optional<PartProgram>& executed = part == machine::Part::kFast ? fast_ : period_;
+  if (!executed) return;
+  for (uint8_t i = 0; i < kTimeWidth; ++i) state_[now_plane_ + i].Fill((now_ms >> i & 1) != 0);
+  executed->program.Run(state_);
+  // A cell that keeps another one's value is that one's planes: all are read before any is written.
+  next_.clear();
+  for (size_t root = 0; root < executed->written.size(); ++root) {
+    const std::span<const terms::Plane> planes = executed->program.Root(root);
+    next_.insert(next_.end(), planes.begin(), planes.end());
+  }
+  size_t at = 0;
+  for (const execute::CellId cell : executed->written) {
+    std::copy_n(next_.begin() + static_cast<std::ptrdiff_t>(at), width_[cell.index],
+                state_.begin() + first_plane_[cell.index]);
+    at += width_[cell.index];
+  }
+}
+
+void WideMachine::SpreadLanes(const std::array<uint32_t, terms::Plane::kWords>& lanes) {
+  for (terms::Plane& plane : state_) {
+    const terms::Plane before = plane;
+    for (uint32_t word = 0; word < terms::Plane::kWords; ++word) {
+      if (lanes[word] != kNoLane) plane.words[word] = before.Get(lanes[word]) ? ~uint64_t{0} : 0;
+    }
+  }
+}
+
+}  // namespace plcxx::prove::diff

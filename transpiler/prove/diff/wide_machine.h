@@ -1,0 +1,57 @@
+// One version of a program in many lanes: each lane is a machine with a state of its own.
+//
+// In: the parts of its period as terms (machine/relation.h), which cells are wanted. Out: their planes, part by part.
+// Cells that the wanted ones do not depend on, and calls, are not there. Host functions answer 0, as in a simulation
+// without a stub; what a loop of unknown length does is made up: what is seen here is a candidate, not a fact.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "transpiler/prove/machine/relation.h"
+#include "transpiler/symbolic/terms/lanes.h"
+
+namespace plcxx::prove::diff {
+
+inline constexpr uint32_t kNoLane = 0xFFFFFFFF;
+
+class WideMachine {
+ public:
+  /// `cells`: of the relation's version, all that the wanted ones depend on (DependedOn), ascending. `init`: the state
+  /// after power-on, by cell. All but `cells` and `init` outlive the machine.
+  WideMachine(const terms::Terms& terms, machine::Relation& relation, const std::vector<execute::CellId>& cells,
+              const machine::Transition& init);
+
+  void PowerOn();
+  /// One part of the schedule, at a time that all lanes have. Where fast and slow part have no times of their own, the
+  /// period is all.
+  void Run(machine::Part part, uint64_t now_ms);
+
+  bool Has(execute::CellId cell) const { return cell.valid() && first_plane_[cell.index] != kNowhere; }
+  /// As many as the cell is wide; of a cell that it has.
+  std::span<terms::Plane> Planes(execute::CellId cell);
+  std::span<const terms::Plane> Planes(execute::CellId cell) const;
+  /// All lanes of a word of each plane become copies of the lane that is said for it, kNoLane: they stay.
+  void SpreadLanes(const std::array<uint32_t, terms::Plane::kWords>& lanes);
+
+ private:
+  static constexpr uint32_t kNowhere = 0xFFFFFFFF;
+  struct PartProgram {
+    terms::LaneProgram program;
+    std::vector<execute::CellId> written;  // by root
+  };
+
+  std::vector<uint32_t> first_plane_;  // by cell
+  std::vector<uint8_t> width_;         // by cell
+  std::vector<terms::Plane> state_, at_power_on_, next_;
+  uint32_t now_plane_ = 0;
+  std::optional<PartProgram> fast_, period_;
+};
+
+/// The cells that the wanted ones depend on over any number of periods, with them, ascending.
+std::vector<execute::CellId> DependedOn(const terms::Terms& terms, const machine::Relation& relation,
+                                        std::span<const execute::CellId> wanted);
+
+}  // namespace plcxx::prove::diff

@@ -1,0 +1,330 @@
+#include "transpiler/prove/diff/wide_runs.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace plcxx::prove::diff {
+namespace {
+
+constexpr uint32_t kMostToldInVain = 3;
+constexpr uint32_t kNewsPeriods = 4;
+constexpr size_t kMostSources = 24, kMostTermsOfSources = 400;
+constexpr uint32_t kMostLanesNear = 128;  // in more of them it is no news that a source differs
+
+uint32_t Count(const terms::Plane& plane) {
+  uint32_t count = 0;
+  for (const uint64_t word : plane.words) count += static_cast<uint32_t>(std::popcount(word));
+  return count;
+}
+template <class Visit>
+void ForEachLane(const terms::Plane& plane, Visit&& visit) {
+  for (uint32_t w = 0; w < terms::Plane::kWords; ++w) {
+    for (uint64_t word = plane.words[w]; word != 0; word &= word - 1)
+      visit(64 * w + static_cast<uint32_t>(std::countr_zero(word)));
+  }
+}
+
+}  // namespace
+
+WideRuns::~WideRuns() = default;
+
+WideRuns::WideRuns(UnrolledVersions versions, const std::vector<execute::CellId>& sought, Time end)
+    : versions_(std::move(versions)) {
+  const auto is_late = [end] { return std::chrono::steady_clock::now() >= end; };
+  const machine::PartEnvironment at_power_on{.initial = [this](execute::CellId) { return terms_.Const(0, 64); },
+                                             .now = terms_.Const(0, 32),
+                                             .answers = machine::HostAnswers::kNothing,
+                                             .observed = {},
+                                             .is_late = is_late};
+  const machine::Transition old_init = machine::RunInit(terms_, versions_.old_version, at_power_on),
+                            new_init = machine::RunInit(terms_, versions_.new_version, at_power_on);
+  if (!old_init.refusal.empty() || !new_init.refusal.empty()) return;
+  const auto relation = [&](const machine::Version& version) {
+    return std::make_unique<machine::Relation>(terms_, version, machine::HostAnswers::kNothing);
+  };
+  old_relation_ = relation(versions_.old_version);
+  if (!old_relation_->refusal().empty()) return;
+  new_relation_ = relation(versions_.new_version);
+  if (!new_relation_->refusal().empty()) return;
+  std::vector<execute::CellId> old_wanted, new_wanted;
+  for (const execute::CellId cell : sought) {
+    if (cell.index >= versions_.old_version.cells.calls) continue;
+    old_wanted.push_back(cell);
+    new_wanted.push_back(versions_.match.new_of_old[cell.index]);
+  }
+  const std::vector<execute::CellId> old_cells = DependedOn(terms_, *old_relation_, old_wanted),
+                                     new_cells = DependedOn(terms_, *new_relation_, new_wanted);
+  const auto without_calls = [](std::vector<execute::CellId> cells, const machine::Version& version) {
+    std::erase_if(cells, [&](execute::CellId cell) { return cell.index >= version.cells.calls; });
+    return cells;
+  };
+  old_machine_.emplace(terms_, *old_relation_, old_cells, old_init);
+  new_machine_.emplace(terms_, *new_relation_, new_cells, new_init);
+  std::vector<bool> may_be_set(versions_.old_version.cells.count);
+  for (const execute::CellId cell : without_calls(old_cells, versions_.old_version)) may_be_set[cell.index] = true;
+  for (const execute::CellId cell : without_calls(new_cells, versions_.new_version)) {
+    const execute::CellId old_cell = versions_.match.old_of_new[cell.index];
+    if (old_cell.valid()) may_be_set[old_cell.index] = true;
+  }
+  std::vector<execute::CellId> settable;
+  for (uint32_t i = 0; i < may_be_set.size(); ++i) {
+    if (may_be_set[i]) settable.emplace_back(i);
+  }
+  if (is_late()) return;
+  FindPairs(settable);
+  FindSources();
+  for (const execute::CellId request : versions_.requests) {
+    if (may_be_set[request.index]) requests_.push_back(request);
+  }
+  inputs_.emplace(versions_, terms_, *old_relation_, *new_relation_, settable);
+}
+
+void WideRuns::FindPairs(const std::vector<execute::CellId>& cells) {
+  for (const execute::CellId old_cell : cells) {
+    const execute::CellId new_cell = versions_.match.new_of_old[old_cell.index];
+    if (!old_machine_->Has(old_cell) || !new_machine_->Has(new_cell)) continue;
+    pair_of_[old_cell] = static_cast<uint32_t>(pairs_.size());
+    pairs_.push_back({.old_cell = old_cell, .new_cell = new_cell, .sources = {}});
+  }
+  differences_.resize(pairs_.size());
+}
+
+/// From a few terms on a location is computed from everything.
+void WideRuns::FindSources() {
+  std::vector<uint32_t> visit_of(terms_.size());
+  uint32_t visit = 0;
+  for (Pair& pair : pairs_) {
+    ++visit;
+    size_t visited = 0;
+    std::vector<terms::TermId> open;
+    const auto add = [&](const machine::Relation& relation, execute::CellId of) {
+      for (const std::vector<terms::TermId>* const part : {&relation.period(), &relation.fast()}) {
+        if (of.index < part->size() && (*part)[of.index].valid()) open.push_back((*part)[of.index]);
+      }
+    };
+    add(*old_relation_, pair.old_cell);
+    add(*new_relation_, pair.new_cell);
+    // Breadth first: what is near counts.
+    for (size_t at = 0; at < open.size() && visited < kMostTermsOfSources && pair.sources.size() < kMostSources; ++at) {
+      const terms::TermId id = open[at];
+      if (visit_of[id.index] == visit) continue;
+      visit_of[id.index] = visit;
+      ++visited;
+      if (terms_[id].kind != terms::TermKind::kVariable) {
+        terms_.ForEachOperand(terms_[id], [&](terms::TermId operand) { open.push_back(operand); });
+        continue;
+      }
+      execute::CellId source = old_relation_->CellOf(id);
+      if (!source.valid()) {
+        const execute::CellId of_new = new_relation_->CellOf(id);
+        source = of_new.valid() ? versions_.match.old_of_new[of_new.index] : execute::CellId();
+      }
+      const auto number = source.valid() && source != pair.old_cell ? pair_of_.find(source) : pair_of_.end();
+      if (number != pair_of_.end() && std::ranges::find(pair.sources, number->second) == pair.sources.end())
+        pair.sources.push_back(number->second);
+    }
+  }
+}
+
+void WideRuns::PowerOn() {
+  old_machine_->PowerOn();
+  new_machine_->PowerOn();
+  history_.clear();
+  now_ms_ = 0;
+}
+
+void WideRuns::Set(const WideSet& set) {
+  const WideInputs::Input& input = inputs_->inputs()[set.input];
+  const auto store = [&set](WideMachine& machine, execute::CellId cell) {
+    if (!machine.Has(cell)) return;
+    terms::Plane& plane = machine.Planes(cell)[0];
+    for (uint32_t w = 0; w < kWords; ++w)
+      plane.words[w] = (plane.words[w] & ~set.where.words[w]) | (set.value.words[w] & set.where.words[w]);
+  };
+  store(*old_machine_, input.old_cell);
+  store(*new_machine_, input.new_cell);
+}
+
+void WideRuns::Advance(Period& period) {
+  for (const WideSet& set : period.sets) Set(set);
+  for (const execute::CellId request : requests_) {
+    terms::Plane where;
+    for (uint64_t& word : where.words) word = random_.Next() & random_.Next();
+    period.done.emplace_back(request, where);
+    for (WideMachine* const machine : {&*old_machine_, &*new_machine_}) {
+      const execute::CellId cell = machine == &*old_machine_ ? request : versions_.match.new_of_old[request.index];
+      if (!machine->Has(cell)) continue;
+      for (uint32_t w = 0; w < kWords; ++w) machine->Planes(cell)[0].words[w] &= ~where.words[w];
+    }
+  }
+  const ir::Schedule& schedule = versions_.old_version.program->schedule;
+  const uint64_t begin_ms = now_ms_;
+  now_ms_ += schedule.period_ms;
+  const bool ends = schedule.period_ends_its_time || schedule.fast_ms != 0;
+  for (const Which which : {Which::kOld, Which::kNew}) {
+    WideMachine& machine = which == Which::kOld ? *old_machine_ : *new_machine_;
+    const machine::Version& version = which == Which::kOld ? versions_.old_version : versions_.new_version;
+    const uint32_t fast_ms = version.program->schedule.fast_ms;
+    for (uint32_t ms = fast_ms; fast_ms != 0 && ms <= schedule.period_ms; ms += fast_ms)
+      machine.Run(machine::Part::kFast, begin_ms + ms);
+    machine.Run(machine::Part::kPeriod, ends ? now_ms_ : begin_ms);
+  }
+}
+
+void WideRuns::Compare(std::vector<uint32_t>& open, std::vector<Seen>& seen) {
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    const std::span<const terms::Plane> one = std::as_const(*old_machine_).Planes(pairs_[i].old_cell),
+                                        other = std::as_const(*new_machine_).Planes(pairs_[i].new_cell);
+    terms::Plane differ;
+    for (size_t bit = 0; bit < std::min(one.size(), other.size()); ++bit) {
+      for (uint32_t w = 0; w < kWords; ++w) differ.words[w] |= one[bit].words[w] ^ other[bit].words[w];
+    }
+    differences_[i] = differ;
+  }
+  const auto period = static_cast<uint32_t>(history_.size());
+  std::erase_if(open, [&](uint32_t pair) {
+    if (differences_[pair].IsZero()) return false;
+    seen.push_back({pairs_[pair].old_cell, period, differences_[pair]});
+    return true;
+  });
+}
+
+void WideRuns::Select(const std::vector<uint32_t>& open, const std::vector<Seen>& seen, Period& period) {
+  std::array<float, kLanes> score{};
+  const auto add = [&score](const terms::Plane& lanes, float weight) {
+    const uint32_t count = Count(lanes);
+    if (count == 0 || count > kMostLanesNear) return;
+    ForEachLane(lanes, [&](uint32_t lane) { score[lane] += weight / static_cast<float>(count); });
+  };
+  for (const uint32_t pair : open) {
+    terms::Plane near;
+    for (const uint32_t source : pairs_[pair].sources) {
+      for (uint32_t w = 0; w < kWords; ++w) near.words[w] |= differences_[source].words[w];
+    }
+    add(near, 1);
+  }
+  // Where something was seen for the first time a moment ago, more follows.
+  for (size_t i = seen.size(); i-- > 0 && seen[i].period + kNewsPeriods > history_.size();) add(seen[i].lanes, 1);
+  for (uint32_t word = 0; word < kWords; ++word) {
+    if (word == kWords - 1 || random_.OneIn(8)) continue;  // these go their own ways
+    constexpr int kTries = 100;
+    uint32_t best = kNoLane;
+    for (int i = 0; i < kTries; ++i) {
+      const auto lane = static_cast<uint32_t>((random_.Next() >> 20) % kLanes);
+      if (score[lane] > 0 && (best == kNoLane || score[lane] > score[best])) best = lane;
+    }
+    if (best == kNoLane) continue;
+    period.copy_of[word] = best;
+    score[best] /= 4;
+  }
+  // Not one after the other: one may be copied from a word that another one is copied to.
+  for (WideMachine* const machine : {&*old_machine_, &*new_machine_}) machine->SpreadLanes(period.copy_of);
+  for (uint32_t word = 0; word < kWords; ++word) {
+    if (random_.OneIn(4)) inputs_->ChangeHabits(word);
+  }
+}
+
+void WideRuns::Episode(std::vector<uint32_t>& open, Time end, std::vector<Seen>& seen) {
+  constexpr std::array<uint32_t, 5> kPeriods = {24, 60, 150, 60, 300}, kSelectEvery = {3, 2, 4, 8, 12};
+  const uint32_t periods = kPeriods[episodes_ % kPeriods.size()],
+                 every = kSelectEvery[episodes_ / 2 % kSelectEvery.size()];
+  ++episodes_;
+  PowerOn();
+  inputs_->Begin();
+  for (uint32_t i = 0; i < periods && !open.empty() && std::chrono::steady_clock::now() < end; ++i) {
+    Period period;
+    period.copy_of.fill(kNoLane);
+    if (i != 0 && i % every == 0) Select(open, seen, period);
+    period.sets = inputs_->Next(i == 0);
+    Advance(period);
+    history_.push_back(std::move(period));
+    Compare(open, seen);
+  }
+}
+
+std::vector<uint32_t> WideRuns::PathOf(uint32_t lane, uint32_t last_period) const {
+  std::vector<uint32_t> path(last_period);
+  for (uint32_t i = last_period; i-- > 0;) {
+    path[i] = lane;
+    if (history_[i].copy_of[lane / 64] != kNoLane) lane = history_[i].copy_of[lane / 64];
+  }
+  return path;
+}
+
+Run WideRuns::RunOf(const std::vector<uint32_t>& path) const {
+  Run run;
+  std::map<execute::CellId, uint64_t> level;
+  for (uint32_t i = 0; i < path.size(); ++i) {
+    std::map<execute::CellId, SetCell> sets;
+    for (const WideSet& set : history_[i].sets) {
+      if (!set.where.Get(path[i])) continue;
+      const WideInputs::Input& input = inputs_->inputs()[set.input];
+      sets[input.old_cell] = {
+          .old_cell = input.old_cell, .new_cell = input.new_cell, .value = uint64_t{set.value.Get(path[i])}};
+    }
+    for (const auto& [request, where] : history_[i].done) {
+      if (where.Get(path[i]))
+        sets[request] = {.old_cell = request, .new_cell = versions_.match.new_of_old[request.index], .value = 0};
+    }
+    std::vector<SetCell>& set = run.periods.emplace_back();
+    for (const auto& [cell, one] : sets) {
+      // What a version writes has another value there, perhaps.
+      const bool is_kept = !versions_.old_uses.writes[cell.index] &&
+                           !(one.new_cell.valid() && versions_.new_uses.writes[one.new_cell.index]);
+      const auto [at, first] = level.try_emplace(cell, 0);
+      const uint64_t before = first ? uint64_t{PowerOnValue(versions_.old_version, cell)} : at->second;
+      at->second = one.value;
+      if (!is_kept || before != one.value) set.push_back(one);
+    }
+  }
+  return run;
+}
+
+std::vector<std::vector<uint32_t>> WideRuns::Cover(const std::vector<Seen>& seen) const {
+  std::vector<const Seen*> left;
+  for (const Seen& one : seen) left.push_back(&one);
+  std::vector<std::vector<uint32_t>> paths;
+  while (!left.empty()) {
+    // In one lane as many as can be; of lanes that were copied since, each period counts for itself.
+    const Seen* const latest = *std::ranges::max_element(left, {}, &Seen::period);
+    std::array<uint32_t, kLanes> count{};
+    for (const Seen* const one : left) {
+      if (one->period == latest->period) ForEachLane(one->lanes, [&](uint32_t lane) { ++count[lane]; });
+    }
+    const auto best = static_cast<uint32_t>(std::ranges::max_element(count) - count.begin());
+    paths.push_back(PathOf(best, latest->period));
+    const std::vector<uint32_t>& path = paths.back();
+    std::erase_if(left, [&path](const Seen* one) { return one->lanes.Get(path[one->period - 1]); });
+  }
+  std::ranges::sort(paths);
+  return paths;
+}
+
+void WideRuns::Search(const std::vector<execute::CellId>& sought, Time end,
+                      const std::function<bool(execute::CellId)>& is_open,
+                      const std::function<void(const Run&, size_t shared)>& found) {
+  if (!is_ready()) return;
+  while (std::chrono::steady_clock::now() < end) {
+    std::vector<uint32_t> open;
+    for (const execute::CellId cell : sought) {
+      const auto pair = pair_of_.find(cell);
+      if (pair != pair_of_.end() && is_open(cell) && pairs_[pair->second].told_in_vain < kMostToldInVain)
+        open.push_back(pair->second);
+    }
+    if (open.empty()) return;
+    std::vector<Seen> seen;
+    Episode(open, end, seen);
+    std::vector<uint32_t> before;
+    for (const std::vector<uint32_t>& path : Cover(seen)) {
+      if (std::chrono::steady_clock::now() >= end) return;
+      const auto shared = std::ranges::mismatch(before, path).in1 - before.begin();
+      found(RunOf(path), static_cast<size_t>(shared));
+      before = path;
+    }
+    for (const Seen& one : seen) {
+      if (is_open(one.cell)) ++pairs_[pair_of_.at(one.cell)].told_in_vain;
+    }
+  }
+}
+
+}  // namespace plcxx::prove::diff

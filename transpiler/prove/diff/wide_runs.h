@@ -1,0 +1,93 @@
+// Runs of both versions in many lanes at once, to see what differs: candidates, which are repeated one by one.
+//
+// Both versions run beside each other, lane for lane with the same inputs. A difference has to travel through other
+// statements, a period for each, and most die on the way; so now and then whole groups of lanes become copies of one
+// in which the news is nearest: what a location that has not differed yet is computed from differs there, and hardly
+// anywhere else. In: two versions, what is looked for. Out: runs from power-on. Not its job: whether the simulator and
+// the control agree; who repeats the runs sees that.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "transpiler/prove/diff/unrolled.h"
+#include "transpiler/prove/diff/wide_inputs.h"
+#include "transpiler/prove/diff/wide_machine.h"
+
+namespace plcxx::prove::diff {
+
+class WideRuns {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// `sought`: old cells, all that may ever be looked for. Executes both versions; when it is not done at `end`, or a
+  /// version cannot be executed, it finds nothing. The versions outlive it.
+  WideRuns(UnrolledVersions versions, const std::vector<execute::CellId>& sought, Time end);
+  ~WideRuns();
+
+  bool is_ready() const { return inputs_.has_value() && !inputs_->inputs().empty(); }
+  /// Runs of ever other lengths until `end`, or until none of `sought` is open. `found` gets a run for each location
+  /// that was seen to differ, one for several of them where it can be; what stays open after that is told again a few
+  /// times only.
+  /// The first `shared` periods of a run are those of the run before it.
+  void Search(const std::vector<execute::CellId>& sought, Time end, const std::function<bool(execute::CellId)>& is_open,
+              const std::function<void(const Run&, size_t shared)>& found);
+
+ private:
+  static constexpr uint32_t kWords = terms::Plane::kWords, kLanes = terms::Plane::kLanes;
+
+  /// What happened before one period, in all lanes.
+  struct Period {
+    std::vector<WideSet> sets;
+    std::vector<std::pair<execute::CellId, terms::Plane>> done;  // requests that the control clears
+    std::array<uint32_t, kWords> copy_of{};  // lane of which the lanes of a word are copies; kNoLane
+  };
+  /// Where a location was seen first.
+  struct Seen {
+    execute::CellId cell;
+    uint32_t period = 0;
+    terms::Plane lanes;
+  };
+  /// A location that both machines have, and those that it is computed from, as numbers of pairs_.
+  struct Pair {
+    execute::CellId old_cell, new_cell;
+    std::vector<uint32_t> sources;
+    uint32_t told_in_vain = 0;
+  };
+
+  void PowerOn();
+  void Advance(Period& period);
+  void Set(const WideSet& set);
+  /// What of `open` (numbers of pairs_) differs now, in which lanes.
+  void Compare(std::vector<uint32_t>& open, std::vector<Seen>& seen);
+  /// Copies lanes in which the news is near.
+  void Select(const std::vector<uint32_t>& open, const std::vector<Seen>& seen, Period& period);
+  void Episode(std::vector<uint32_t>& open, Time end, std::vector<Seen>& seen);
+  /// The lane in which a lane was in each period up to the last one: copies are followed back.
+  std::vector<uint32_t> PathOf(uint32_t lane, uint32_t last_period) const;
+  Run RunOf(const std::vector<uint32_t>& path) const;
+  /// Paths in which all that was seen is seen; those that begin alike come one after the other.
+  std::vector<std::vector<uint32_t>> Cover(const std::vector<Seen>& seen) const;
+  void FindPairs(const std::vector<execute::CellId>& sought);
+  void FindSources();
+
+  UnrolledVersions versions_;
+  terms::Terms terms_;
+  std::unique_ptr<machine::Relation> old_relation_, new_relation_;
+  std::optional<WideMachine> old_machine_, new_machine_;
+  std::optional<WideInputs> inputs_;
+  std::vector<execute::CellId> requests_;
+  std::vector<Pair> pairs_;
+  std::map<execute::CellId, uint32_t> pair_of_;  // by old cell
+  std::vector<terms::Plane> differences_;        // by pair, after the last period
+  std::vector<Period> history_;                  // of the episode
+  uint64_t now_ms_ = 0;
+  uint32_t episodes_ = 0;
+  terms::Random random_{0xB5026F5AA96619E9};
+};
+
+}  // namespace plcxx::prove::diff
