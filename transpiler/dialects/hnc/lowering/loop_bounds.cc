@@ -7,7 +7,7 @@
 #include "transpiler/dialects/hnc/lowering/intervals.h"
 #include "transpiler/dialects/hnc/lowering/jumps.h"
 #include "transpiler/dialects/hnc/lowering/loop_paths.h"
-#include "transpiler/dialects/hnc/machine.h"
+#include "transpiler/dialects/hnc/machine/machine.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
