@@ -37,7 +37,7 @@ TEST(Defaults, NoneOverAnEnumOfOurs) { EXPECT_THAT(CheckDefaults(Root()), IsEmpt
 
 TEST(Defaults, FixtureHasTwo) {
   EXPECT_THAT(CheckDefaults(Fixture("defaults")),
-              ElementsAre(HasSubstr("transpiler/behind_characters.cc:10"), HasSubstr("transpiler/new.cc:5")));
+              ElementsAre(HasSubstr("transpiler/behind_characters.cc:11"), HasSubstr("transpiler/new.cc:5")));
 }
 
 TEST(Format, NothingToChange) { EXPECT_THAT(CheckFormat(Root()), IsEmpty()); }
