@@ -104,17 +104,33 @@ def git(*arguments):
     return run.stdout if run.returncode == 0 else None
 
 
+def without_includes(text):
+    return [line for line in text.split("\n") if not line.startswith("#include")]
+
+
+def is_what_it_was(commit, old, new):
+    """Did a file only move, or names of files that it includes change? No rule looks at either."""
+    before = git("show", f"{commit}:{old}")
+    return before is not None and without_includes(before) == without_includes((ROOT / new).read_text())
+
+
 def changed_since_clean():
     """None: not known."""
     commit = CLEAN.read_text().strip()
-    edited = git("diff", "--name-only", commit)
+    edited = git("diff", "--find-renames", "--diff-filter=d", "--name-status", commit)
     added = git("ls-files", "--others", "--exclude-standard")
     if edited is None or added is None:
         return None
-    names = {ROOT / name for name in (edited + added).splitlines()}
-    if any(path.name == ".clang-tidy" for path in names):
+    names = set(added.splitlines())
+    for state, *paths in (line.split("\t") for line in edited.splitlines()):
+        old, new = paths[0], paths[-1]
+        is_code = new.startswith(("transpiler/", "runtime_support/")) and new.endswith((".cc", ".h", ".def", ".clang-tidy"))
+        if not is_code or (state != "A" and is_what_it_was(commit, old, new)):
+            continue
+        names.add(new)
+    if any(name.endswith(".clang-tidy") for name in names) or git("diff", "--name-only", commit, "--", ".clang-tidy"):
         return None
-    return {path for path in names if path.exists()}
+    return {ROOT / name for name in names}
 
 
 def units_of_changed(units, changed):
