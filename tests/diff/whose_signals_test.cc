@@ -28,7 +28,7 @@ struct SignalRow {
 
 /// A table with quotes around cells that have commas.
 std::vector<SignalRow> SignalRows(const std::string& dialect) {
-  std::ifstream in(std::string(PLCXX_ROOT) + "/transpiler/dialects/" + dialect + "/signals.csv");
+  std::ifstream in(std::string(PLCXX_ROOT) + "/transpiler/dialects/" + dialect + "/machine/signals.csv");
   EXPECT_TRUE(in.is_open()) << dialect;
   std::vector<SignalRow> rows;
   std::string line;
