@@ -50,7 +50,7 @@ class Workplace {
           const std::string& folder = ".") const {
     Write(kInput, input);
     const std::string command = "cd '" + Path(folder) + "' && " + kLimits + "env " + environment +
-                                " timeout 60 " PLCXX_BINARY " " + arguments + " <'" + Path(kInput) + "' >'" +
+                                " timeout 600 " PLCXX_BINARY " " + arguments + " <'" + Path(kInput) + "' >'" +
                                 Path(kOutput) + "' 2>'" + Path(kErrors) + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, Read(kOutput), Read(kErrors)};
