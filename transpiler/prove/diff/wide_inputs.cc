@@ -9,6 +9,31 @@ namespace plcxx::prove::diff {
 namespace {
 
 constexpr uint32_t kWords = terms::Plane::kWords;
+constexpr size_t kLeastBits = 4, kMostBits = 64;  // of a word that is compared bit by bit
+
+/// All that a relation's cells are computed from; a cell that keeps its value is not.
+std::vector<terms::TermId> RootsOf(const machine::Relation& relation) {
+  std::vector<terms::TermId> roots;
+  for (const std::vector<terms::TermId>* const part : {&relation.fast(), &relation.period()}) {
+    for (uint32_t i = 0; i < part->size(); ++i) {
+      const terms::TermId root = (*part)[i];
+      if (root.valid() && relation.CellOf(root) != execute::CellId(i)) roots.push_back(root);
+    }
+  }
+  return roots;
+}
+
+/// By cell: whether something is computed from it.
+std::vector<bool> ReadCells(const terms::Terms& terms, const machine::Relation& relation,
+                            std::span<const terms::TermId> cone) {
+  std::vector<bool> read(relation.version().cells.count);
+  for (const terms::TermId id : cone) {
+    if (terms[id].kind != terms::TermKind::kVariable) continue;
+    const execute::CellId cell = relation.CellOf(id);
+    if (cell.valid()) read[cell.index] = true;
+  }
+  return read;
+}
 
 }  // namespace
 
@@ -16,8 +41,14 @@ WideInputs::WideInputs(const UnrolledVersions& versions, const terms::Terms& ter
                        const machine::Relation& old_relation, const machine::Relation& new_relation,
                        const std::vector<execute::CellId>& cells)
     : versions_(versions) {
+  const std::vector<terms::TermId> old_cone = terms::ConeOf(terms, RootsOf(old_relation)),
+                                   new_cone = terms::ConeOf(terms, RootsOf(new_relation));
+  const std::vector<bool> old_read = ReadCells(terms, old_relation, old_cone),
+                          new_read = ReadCells(terms, new_relation, new_cone);
   for (const execute::CellId old_cell : cells) {
     const execute::CellId new_cell = versions.match.new_of_old[old_cell.index];
+    // Nothing follows from the others, and there are thousands of them.
+    if (!old_read[old_cell.index] && !(new_cell.valid() && new_read[new_cell.index])) continue;
     if (!IsInputPair(versions.old_version, versions.new_version, versions.old_uses, versions.new_uses, versions.match,
                      old_cell))
       continue;
@@ -28,18 +59,16 @@ WideInputs::WideInputs(const UnrolledVersions& versions, const terms::Terms& ter
                        .new_cell = new_cell,
                        .is_machines = machine::DirectionOf(versions.old_version, old_cell) == ir::Direction::kInput});
   }
-  AddWords(terms, old_relation, true);
-  AddWords(terms, new_relation, false);
+  AddWords(terms, old_relation, old_cone, of_old_);
+  AddWords(terms, new_relation, new_cone, of_new_);
+  AddConjunctions(terms, old_relation, old_cone, of_old_);
+  AddConjunctions(terms, new_relation, new_cone, of_new_);
   Begin();
 }
 
 /// What comparisons with constants read.
-void WideInputs::AddWords(const terms::Terms& terms, const machine::Relation& relation, bool is_old) {
-  std::vector<terms::TermId> roots;
-  for (const std::vector<terms::TermId>* const part : {&relation.fast(), &relation.period()}) {
-    std::ranges::copy_if(*part, std::back_inserter(roots), &terms::TermId::valid);
-  }
-  const std::map<uint32_t, uint32_t>& numbers = is_old ? of_old_ : of_new_;
+void WideInputs::AddWords(const terms::Terms& terms, const machine::Relation& relation,
+                          std::span<const terms::TermId> cone, const std::map<uint32_t, uint32_t>& numbers) {
   // The inputs of which a term is put together; false: it is computed from them.
   const auto add_bits = [&](auto&& self, terms::TermId id, uint32_t low, uint32_t width, Word& word) -> bool {
     const terms::Term& term = terms[id];
@@ -84,7 +113,7 @@ void WideInputs::AddWords(const terms::Terms& terms, const machine::Relation& re
     }
     return false;
   };
-  for (const terms::TermId id : terms::ConeOf(terms, roots)) {
+  for (const terms::TermId id : cone) {
     const terms::Term& term = terms[id];
     if (term.kind != terms::TermKind::kEq && term.kind != terms::TermKind::kUlt && term.kind != terms::TermKind::kSlt)
       continue;
@@ -94,10 +123,67 @@ void WideInputs::AddWords(const terms::Terms& terms, const machine::Relation& re
     Word word;
     if (!add_bits(add_bits, one, 0, terms.Width(one), word)) continue;
     if (std::ranges::count_if(word, [](uint32_t input) { return input != kNone; }) < 2) continue;
-    std::vector<uint64_t>& constants = words_[word];
-    if (std::ranges::find(constants, terms.Value(constant)) == constants.end())
-      constants.push_back(terms.Value(constant));
+    AddConstant(std::move(word), terms.Value(constant));
   }
+}
+
+/// That a word of bits is equal to a constant is a conjunction of its bits and their opposites, and of what stands
+/// beside it in the program: what of it is of inputs beside each other is a word.
+void WideInputs::AddConjunctions(const terms::Terms& terms, const machine::Relation& relation,
+                                 std::span<const terms::TermId> cone, const std::map<uint32_t, uint32_t>& numbers) {
+  const auto is_and = [&terms](terms::TermId id) {
+    return terms[id].kind == terms::TermKind::kAnd && terms[id].width == 1;
+  };
+  // Of each conjunction the whole: those that something else reads, or nothing.
+  std::vector<bool> is_part(terms.size()), is_whole(terms.size());
+  for (const terms::TermId id : cone) {
+    terms.ForEachOperand(terms[id],
+                         [&](terms::TermId operand) { (is_and(id) ? is_part : is_whole)[operand.index] = true; });
+  }
+  std::vector<uint32_t> visit_of(terms.size());
+  uint32_t visit = 0;
+  for (const terms::TermId id : cone) {
+    if (!is_and(id) || (is_part[id.index] && !is_whole[id.index])) continue;
+    ++visit;
+    std::map<uint32_t, bool> values;  // by number of the input
+    std::vector<terms::TermId> open{id};
+    const auto add = [&](terms::TermId operand) { open.push_back(operand); };
+    while (!open.empty()) {
+      const terms::TermId at = open.back();
+      open.pop_back();
+      if (visit_of[at.index] == visit) continue;
+      visit_of[at.index] = visit;
+      if (is_and(at)) {
+        terms.ForEachOperand(terms[at], add);
+        continue;
+      }
+      const bool is_not = terms[at].kind == terms::TermKind::kNot;
+      const terms::TermId bit = is_not ? terms::TermId(terms[at].a) : at;
+      if (terms[bit].kind != terms::TermKind::kVariable || terms[bit].width != 1) continue;
+      const execute::CellId cell = relation.CellOf(bit);
+      const auto number = cell.valid() ? numbers.find(cell.index) : numbers.end();
+      if (number != numbers.end()) values[number->second] = !is_not;
+    }
+    Word word;
+    uint64_t constant = 0;
+    const auto end_word = [&] {
+      if (word.size() >= kLeastBits) AddConstant(word, constant);
+      word.clear();
+      constant = 0;
+    };
+    for (const auto& [number, value] : values) {
+      const bool is_beside = !word.empty() && inputs_[word.back()].old_cell.index + 1 == inputs_[number].old_cell.index;
+      if (!is_beside || word.size() == kMostBits) end_word();
+      constant |= uint64_t{value} << word.size();
+      word.push_back(number);
+    }
+    end_word();
+  }
+}
+
+void WideInputs::AddConstant(Word word, uint64_t constant) {
+  std::vector<uint64_t>& constants = words_[std::move(word)];
+  if (std::ranges::find(constants, constant) == constants.end()) constants.push_back(constant);
 }
 
 /// One bit in 2^power is 1.

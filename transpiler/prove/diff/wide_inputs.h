@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "transpiler/prove/diff/unrolled.h"
@@ -51,7 +52,12 @@ class WideInputs {
   /// A word of inputs, or a part of one, the lowest bit first; none: a bit that is no input.
   using Word = std::vector<uint32_t>;
 
-  void AddWords(const terms::Terms& terms, const machine::Relation& relation, bool is_old);
+  /// `numbers`: of the inputs, by cell of the relation's version; `cone`: all that it computes.
+  void AddWords(const terms::Terms& terms, const machine::Relation& relation, std::span<const terms::TermId> cone,
+                const std::map<uint32_t, uint32_t>& numbers);
+  void AddConjunctions(const terms::Terms& terms, const machine::Relation& relation,
+                       std::span<const terms::TermId> cone, const std::map<uint32_t, uint32_t>& numbers);
+  void AddConstant(Word word, uint64_t constant);
   uint64_t Sparse(uint32_t one_in_power);
   uint64_t Ones(uint32_t eighths);
 

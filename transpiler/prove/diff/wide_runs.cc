@@ -24,6 +24,14 @@ void ForEachLane(const terms::Plane& plane, Visit&& visit) {
   }
 }
 
+/// Whether it has another value after a part than before it, perhaps.
+bool IsComputed(const machine::Relation& relation, execute::CellId cell) {
+  return std::ranges::any_of(std::array{&relation.fast(), &relation.period()},
+                             [cell](const std::vector<terms::TermId>* part) {
+                               return cell.index < part->size() && (*part)[cell.index].valid();
+                             });
+}
+
 }  // namespace
 
 WideRuns::~WideRuns() = default;
@@ -83,6 +91,11 @@ void WideRuns::FindPairs(const std::vector<execute::CellId>& cells) {
   for (const execute::CellId old_cell : cells) {
     const execute::CellId new_cell = versions_.match.new_of_old[old_cell.index];
     if (!old_machine_->Has(old_cell) || !new_machine_->Has(new_cell)) continue;
+    // What is set alike and never computed does not differ.
+    const bool begins_alike =
+        std::ranges::equal(std::as_const(*old_machine_).Planes(old_cell), std::as_const(*new_machine_).Planes(new_cell),
+                           [](const terms::Plane& one, const terms::Plane& other) { return one.words == other.words; });
+    if (begins_alike && !IsComputed(*old_relation_, old_cell) && !IsComputed(*new_relation_, new_cell)) continue;
     pair_of_[old_cell] = static_cast<uint32_t>(pairs_.size());
     pairs_.push_back({.old_cell = old_cell, .new_cell = new_cell, .sources = {}});
   }

@@ -29,7 +29,7 @@ class WideRuns {
   WideRuns(UnrolledVersions versions, const std::vector<execute::CellId>& sought, Time end);
   ~WideRuns();
 
-  bool is_ready() const { return inputs_.has_value() && !inputs_->inputs().empty(); }
+  bool is_ready() const { return inputs_.has_value() && !(inputs_->inputs().empty() && requests_.empty()); }
   /// Runs of ever other lengths until `end`, or until none of `sought` is open. `found` gets a run for each location
   /// that was seen to differ, one for several of them where it can be; what stays open after that is told again a few
   /// times only.
