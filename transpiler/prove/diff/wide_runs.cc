@@ -217,7 +217,8 @@ void WideRuns::Select(const std::vector<uint32_t>& open, const std::vector<Seen>
     add(near, 1);
   }
   // Where something was seen for the first time a moment ago, more follows.
-  for (size_t i = seen.size(); i-- > 0 && seen[i].period + kNewsPeriods > history_.size();) add(seen[i].lanes, 1);
+  for (size_t i = seen.size(); i > 0 && seen[i - 1].period + kNewsPeriods > history_.size(); --i)
+    add(seen[i - 1].lanes, 1);
   for (uint32_t word = 0; word < kWords; ++word) {
     if (word == kWords - 1 || random_.OneIn(8)) continue;  // these go their own ways
     constexpr int kTries = 100;

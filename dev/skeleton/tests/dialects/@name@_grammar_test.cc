@@ -55,10 +55,9 @@ TEST(@Name@Grammar, IsWhole) { EXPECT_THAT(TheGrammar().Problems(), testing::IsE
 
 TEST(@Name@Grammar, EveryProductionHasAReader) {
   std::string front_end;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(PLCXX_ROOT) / "transpiler/dialects/@name@")) {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with(".cc") && !name.starts_with("lowering")) front_end += Contents(entry.path());
+  const std::filesystem::path parser(PLCXX_ROOT "/transpiler/dialects/@name@/parser");
+  for (const auto& entry : std::filesystem::directory_iterator(parser)) {
+    if (entry.path().extension() == ".cc") front_end += Contents(entry.path());
   }
   for (const std::string& name : TheGrammar().Names()) {
     const std::string definition = TheGrammar().ReaderOf(name) + "(";
