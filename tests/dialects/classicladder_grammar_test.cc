@@ -57,9 +57,11 @@ TEST(ClassicladderGrammar, IsWhole) { EXPECT_THAT(TheGrammar().Problems(), testi
 
 TEST(ClassicladderGrammar, EveryProductionHasAReader) {
   std::string front_end;
-  const std::filesystem::path parser(PLCXX_ROOT "/transpiler/dialects/classicladder/parser");
-  for (const auto& entry : std::filesystem::directory_iterator(parser)) {
-    if (entry.path().extension() == ".cc") front_end += Contents(entry.path());
+  for (const std::filesystem::path room : {"source", "parser"}) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(PLCXX_ROOT "/transpiler/dialects/classicladder" / room)) {
+      if (entry.path().extension() == ".cc") front_end += Contents(entry.path());
+    }
   }
   for (const std::string& name : TheGrammar().Names()) {
     const std::string definition = TheGrammar().ReaderOf(name) + "(";

@@ -81,9 +81,10 @@ TEST(Host50Grammar, IsWhole) { EXPECT_THAT(TheGrammar().Problems(), testing::IsE
 
 TEST(Host50Grammar, EveryProductionHasAReader) {
   std::string front_end;
-  const std::filesystem::path parser(PLCXX_ROOT "/transpiler/dialects/host50/parser");
-  for (const auto& entry : std::filesystem::directory_iterator(parser)) {
-    if (entry.path().extension() == ".cc") front_end += Contents(entry.path());
+  for (const std::filesystem::path room : {"source", "parser"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(PLCXX_ROOT "/transpiler/dialects/host50" / room)) {
+      if (entry.path().extension() == ".cc") front_end += Contents(entry.path());
+    }
   }
   for (const std::string& name : TheGrammar().Names()) {
     const std::string definition = TheGrammar().ReaderOf(name) + "(";

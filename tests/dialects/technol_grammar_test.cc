@@ -94,9 +94,10 @@ TEST(TechnolGrammar, IsWhole) { EXPECT_THAT(TheGrammar().Problems(), testing::Is
 
 TEST(TechnolGrammar, EveryProductionHasAReader) {
   std::string front_end;
-  const std::filesystem::path parser(PLCXX_ROOT "/transpiler/dialects/technol/parser");
-  for (const auto& entry : std::filesystem::directory_iterator(parser)) {
-    if (entry.path().extension() == ".cc") front_end += Contents(entry.path());
+  for (const std::filesystem::path room : {"source", "parser"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(PLCXX_ROOT "/transpiler/dialects/technol" / room)) {
+      if (entry.path().extension() == ".cc") front_end += Contents(entry.path());
+    }
   }
   for (const std::string& name : TheGrammar().Names()) {
     const std::string definition = TheGrammar().ReaderOf(name) + "(";
