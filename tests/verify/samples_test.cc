@@ -42,7 +42,7 @@ class SamplesTest : public ::testing::TestWithParam<Sample> {};
 TEST_P(SamplesTest, IsProved) {
   const Workplace workplace;
   // Not by Run: solver and LLVM together take more address space than it leaves.
-  const std::string command = "cd '" + FolderOf(GetParam()) + "' && timeout 900 " PLCXX_BINARY " verify --time 600s " +
+  const std::string command = "cd '" + FolderOf(GetParam()) + "' && timeout 900 " PLCXX_BINARY " verify --time 150s " +
                               GetParam().arguments + " >'" + workplace.Path("said") + "' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << workplace.Read("said");
   EXPECT_THAT(workplace.Read("said"), HasSubstr("what was asked for is proved equal to the program"));
