@@ -37,8 +37,8 @@ def operate(transport, folder):
     with BOARD.running("linked", transport, folder) as address:
         text = live(address, "--read", "P24OK,DOOR", "--read", "TURCOD")
         assert text == "P24OK = 1\nDOOR = 1\nTURCOD = 49\n", text
-        text = live(address, "--write", "CNTLOW=42", "--read", "CNTLOW")
-        assert text == "CNTLOW = 42\n", text
+        text = live(address, "--write", "CNTHIGH=42", "--read", "CNTHIGH")
+        assert text == "CNTHIGH = 42\n", text
         # An input against what the machine reads, an output against the program; both are let go with the command.
         waveform = folder / "forced.vcd"
         text = live(address, "--force", "DOOR=0,LIGHT=1", "--watch", "DOOR,LIGHT,GUARD,TURCOD", "--for", "2s", "--save", str(waveform))
@@ -60,7 +60,7 @@ def operate(transport, folder):
         shutil.rmtree(other)
         assert "NOWHERE" in live(address, "--read", "NOWHERE", code=2)
     with BOARD.running("linked_shown", transport, folder) as address:
-        for words in (["--write", "CNTLOW=42"], ["--force", "LIGHT=1", "--for", "1s"]):
+        for words in (["--write", "CNTHIGH=42"], ["--force", "LIGHT=1", "--for", "1s"]):
             text = live(address, *words, code=1)
             assert "permits reading only" in text, text
 

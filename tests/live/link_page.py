@@ -29,7 +29,7 @@ class Shown:
         return self.events.state["values"].get(self.number[name])
 
     def until(self, name, value):
-        self.events.until(lambda _: self.value(name) == value)
+        self.events.until(lambda _: self.value(name) == value, f"{name} = {value}, which was {self.value(name)},")
 
     def until_link(self, **words):
         self.events.until(lambda state: all(state["link"][key] == value for key, value in words.items()))

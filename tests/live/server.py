@@ -5,6 +5,7 @@ import json
 import re
 import signal
 import subprocess
+import time
 
 
 class Server:
@@ -94,8 +95,12 @@ class Events:
             self.state.update({key: value for key, value in change.items() if key != "values"})
             return change
 
-    def until(self, holds):
+    def until(self, holds, what="", seconds=60):
+        """Fails with what was seen last where it does not hold in time, however much else changes."""
+        end = time.monotonic() + seconds
         while not holds(self.state):
+            said = {key: self.state.get(key) for key in ("at", "link", "forced", "notes", "trigger")}
+            assert time.monotonic() < end, f"{what or 'what is waited for'} does not come: {said}"
             self.next()
 
     def close(self):
