@@ -199,12 +199,12 @@ void JudgeAll(const std::string& dialect, const std::string& extension, size_t e
 }
 
 // A part in each run, all in the heavy one.
-TEST(ByHand, Nc110) { JudgeAll("nc110", ".plc", testing_support::Volume<size_t>(3, 1)); }
-TEST(ByHand, Host50) { JudgeAll("host50", ".il", testing_support::Volume<size_t>(3, 1)); }
-TEST(ByHand, Prostep) { JudgeAll("prostep", ".plc", testing_support::Volume<size_t>(3, 1)); }
-TEST(ByHand, Technol) { JudgeAll("technol", ".plc", testing_support::Volume<size_t>(3, 1)); }
+TEST(ByHand, Nc110) { JudgeAll("nc110", ".plc", testing_support::Volume<size_t>(2, 1)); }
+TEST(ByHand, Host50) { JudgeAll("host50", ".il", testing_support::Volume<size_t>(2, 1)); }
+TEST(ByHand, Prostep) { JudgeAll("prostep", ".plc", testing_support::Volume<size_t>(2, 1)); }
+TEST(ByHand, Technol) { JudgeAll("technol", ".plc", testing_support::Volume<size_t>(2, 1)); }
 // A State of thousands of cells takes its time.
-TEST(ByHand, Hnc) { JudgeAll("hnc", ".cld", testing_support::Volume<size_t>(5, 1)); }
+TEST(ByHand, Hnc) { JudgeAll("hnc", ".cld", testing_support::Volume<size_t>(4, 1)); }
 
 }  // namespace
 }  // namespace plcxx::review::diff
