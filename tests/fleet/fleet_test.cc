@@ -94,7 +94,7 @@ U4A2=C1R
 TEST(Fleet, TimersOfAllLanesAtOnce) {
   const compilation::Compilation compiled = Compiled("timers.plc", kTimers);
   ASSERT_TRUE(compiled.ok());
-  const Layout layout = LayOut(compiled.program);
+  const Layout layout = LayOut(compiled.program, SameEverywhere(compiled.program));
   EXPECT_EQ(layout.clock_count, 8u);
   for (const bool forces : {false, true}) {
     const auto library = Built(compiled.program, 64, forces);
@@ -108,7 +108,7 @@ TEST(Fleet, TimersOfAllLanesAtOnce) {
 TEST(Fleet, WhatIsTheSameEverywhereIsAScalar) {
   const compilation::Compilation compiled = Compiled("machine.plc", kProgram);
   ASSERT_TRUE(compiled.ok());
-  const Layout layout = LayOut(compiled.program);
+  const Layout layout = LayOut(compiled.program, SameEverywhere(compiled.program));
   EXPECT_GE(layout.scalars, 8u);  // the time and the number of the slow cycle
   for (uint32_t s = 0; s < compiled.program.spaces.size(); ++s) {
     if (!compiled.program.spaces[ir::SpaceId(s)].host_visible) continue;
@@ -146,7 +146,8 @@ TEST(Fleet, RandomProgramsOfEachLanguage) {
 TEST(Fleet, ShareIsReported) {
   const compilation::Compilation compiled = Compiled("machine.plc", kProgram);
   ASSERT_TRUE(compiled.ok());
-  const Code code = WriteCode(compiled.program, LayOut(compiled.program));
+  const SameEverywhere same(compiled.program);
+  const Code code = WriteCode(compiled.program, LayOut(compiled.program, same), same);
   EXPECT_GT(code.share.sliced, 10 * code.share.per_lane);
 }
 

@@ -1,7 +1,5 @@
 #include "transpiler/fleet/layout.h"
 
-#include "transpiler/fleet/same_everywhere.h"
-
 namespace plcxx::fleet {
 namespace {
 
@@ -33,9 +31,8 @@ std::vector<std::vector<Use>> FindUses(const ir::Program& program) {
 
 }  // namespace
 
-Layout LayOut(const ir::Program& program) {
+Layout LayOut(const ir::Program& program, const SameEverywhere& same) {
   Layout layout;
-  const SameEverywhere same(program);
   for (const std::vector<Use>& uses : FindUses(program)) {
     const auto space = static_cast<uint32_t>(layout.bytes.size());
     std::vector<ByteHome>& homes = layout.bytes.emplace_back(uses.size());

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "transpiler/fleet/same_everywhere.h"
 #include "transpiler/ir/program.h"
 #include "transpiler/sim/place_access.h"
 
@@ -40,6 +41,6 @@ struct Layout {
   const ByteHome& At(uint32_t space, uint32_t offset) const { return bytes[space][offset]; }
 };
 
-Layout LayOut(const ir::Program& program);
+Layout LayOut(const ir::Program& program, const SameEverywhere& same);
 
 }  // namespace plcxx::fleet

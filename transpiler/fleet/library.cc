@@ -99,10 +99,11 @@ unsigned WidestFleet() {
 LibraryOrFailure CompileFleet(const ir::Program& program, const LibraryRequest& request) {
   auto library = std::make_shared<Library>();
   library->program = &program;
-  library->layout = LayOut(program);
+  const SameEverywhere same(program);
+  library->layout = LayOut(program, same);
   library->lanes = request.lanes != 0 ? request.lanes : WidestFleet();
   library->forces = request.forces;
-  const Code code = WriteCode(program, library->layout);
+  const Code code = WriteCode(program, library->layout, same);
   library->share = code.share;
   const std::vector<std::string> command = Command(request, library->lanes);
   const compile::TemporaryDirectory directory;

@@ -9,6 +9,8 @@
 namespace plcxx::fleet {
 namespace {
 
+constexpr uint64_t kLongestPreset = 1u << 30;  // longer ones are rare, and their sums would not fit
+
 bool IsWhole(ir::Type type) { return type != ir::Type::kF32 && type != ir::Type::kF64 && type != ir::Type::kNone; }
 
 }  // namespace

@@ -27,8 +27,6 @@ class SameEverywhere {
 
  private:
   void FindCandidates();
-  /// Returns whether something was found to differ.
-  bool Walk(const LocalBytes& locals);
   void WalkRegion(ir::RegionId region, bool diverges);
   void WalkInst(ir::InstId id, bool diverges);
   bool ComputesSame(const ir::Inst& inst) const;
@@ -41,8 +39,5 @@ class SameEverywhere {
   std::vector<std::vector<bool>> bytes_;  // by space
   bool changed_ = false;
 };
-
-/// Longer presets and steps are rare, and their sums would not fit.
-inline constexpr uint64_t kLongestPreset = 1u << 30;
 
 }  // namespace plcxx::fleet

@@ -86,10 +86,9 @@ std::string Entry(const ir::Program& program, const Layout& layout, const LocalB
 
 void Count(Share& share, bool is_per_lane) { ++(is_per_lane ? share.per_lane : share.sliced); }
 
-Code WriteCode(const ir::Program& program, const Layout& layout) {
+Code WriteCode(const ir::Program& program, const Layout& layout, const SameEverywhere& same) {
   Code code;
   const LocalBytes locals(program);
-  const SameEverywhere same(program);
   code.text = Head(program, layout);
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     RoutineWriter writer(program, layout, locals, same, ir::RoutineId(i));

@@ -27,6 +27,6 @@ struct Code {
   Share share;
 };
 
-Code WriteCode(const ir::Program& program, const Layout& layout);
+Code WriteCode(const ir::Program& program, const Layout& layout, const SameEverywhere& same);
 
 }  // namespace plcxx::fleet

@@ -13,17 +13,25 @@ namespace plcxx_fleet {
 /// Longer times do not run by a clock, so that differences of times say which is later.
 constexpr uint32_t kLongestTime = 1U << 30;
 
+/// to = number - planes, in `bits` bits; `to` may be the planes themselves.
+inline void SubtractFrom(uint32_t number, const Plane* planes, unsigned bits, Plane* to) {
+  Plane borrow{};
+  for (unsigned i = 0; i < bits; ++i) {
+    const Plane p = AllEqual((number >> i & 1) != 0), q = planes[i];
+    to[i] = p ^ q ^ borrow;
+    borrow = (~p & q) | (borrow & (~p | q));
+  }
+}
+
 /// The planes are what they are called.
 [[gnu::noinline]] inline void StopClock(State& m, unsigned first, Clock& clock) {
   if (clock.runs == 0) return;
   clock.runs = 0;
   const Plane input = m.planes[first + 64];
-  Plane borrow{};
+  SubtractFrom(clock.last, &m.planes[first], 32, &m.planes[first]);
   for (unsigned i = 0; i < 32; ++i) {
-    const Plane p = AllEqual((clock.last >> i & 1) != 0), q = m.planes[first + i];
-    m.planes[first + i] = (p ^ q ^ borrow) & input;
-    m.planes[first + 32 + i] = p;
-    borrow = (~p & q) | (borrow & (~p | q));
+    m.planes[first + i] &= input;
+    m.planes[first + 32 + i] = AllEqual((clock.last >> i & 1) != 0);
   }
 }
 
@@ -34,12 +42,7 @@ struct Ages {
 };
 inline void FindAges(const State& m, unsigned first, uint32_t now, unsigned bits, Ages& ages) {
   ages.bits = bits;
-  Plane borrow{};
-  for (unsigned i = 0; i < bits; ++i) {
-    const Plane p = AllEqual((now >> i & 1) != 0), q = m.planes[first + i];
-    ages.p[i] = p ^ q ^ borrow;
-    borrow = (~p & q) | (borrow & (~p | q));
-  }
+  SubtractFrom(now, &m.planes[first], bits, ages.p);
 }
 /// The greatest age of lanes; 0 when there are none.
 inline uint32_t Oldest(const Ages& ages, Plane lanes) {
@@ -61,12 +64,7 @@ inline void StartClock(State& m, unsigned first, Clock& clock, uint32_t now) {
   Ages ages;
   ages.bits = 30;
   for (unsigned i = 0; i < 30; ++i) ages.p[i] = m.planes[first + i];
-  Plane borrow{};
-  for (unsigned i = 0; i < 32; ++i) {
-    const Plane p = AllEqual((now >> i & 1) != 0), q = m.planes[first + i];
-    m.planes[first + i] = p ^ q ^ borrow;
-    borrow = (~p & q) | (borrow & (~p | q));
-  }
+  SubtractFrom(now, &m.planes[first], 32, &m.planes[first]);
   clock = {now, now - Oldest(ages, input), now - Oldest(ages, input & ~m.planes[first + 66]), 1};
 }
 
