@@ -19,9 +19,7 @@ std::vector<execute::CellId> DependedOn(const terms::Terms& terms, const machine
     if (open_terms.empty()) {
       const execute::CellId cell = open.back();
       open.pop_back();
-      for (const std::vector<terms::TermId>* const part : {&relation.fast(), &relation.period()}) {
-        if (cell.index < part->size() && (*part)[cell.index].valid()) open_terms.push_back((*part)[cell.index]);
-      }
+      relation.ForEachNext(cell, [&](terms::TermId term) { open_terms.push_back(term); });
       continue;
     }
     const terms::TermId id = open_terms.back();

@@ -26,10 +26,9 @@ void ForEachLane(const terms::Plane& plane, Visit&& visit) {
 
 /// Whether it has another value after a part than before it, perhaps.
 bool IsComputed(const machine::Relation& relation, execute::CellId cell) {
-  return std::ranges::any_of(std::array{&relation.fast(), &relation.period()},
-                             [cell](const std::vector<terms::TermId>* part) {
-                               return cell.index < part->size() && (*part)[cell.index].valid();
-                             });
+  bool is_computed = false;
+  relation.ForEachNext(cell, [&](terms::TermId) { is_computed = true; });
+  return is_computed;
 }
 
 }  // namespace
@@ -110,13 +109,9 @@ void WideRuns::FindSources() {
     ++visit;
     size_t visited = 0;
     std::vector<terms::TermId> open;
-    const auto add = [&](const machine::Relation& relation, execute::CellId of) {
-      for (const std::vector<terms::TermId>* const part : {&relation.period(), &relation.fast()}) {
-        if (of.index < part->size() && (*part)[of.index].valid()) open.push_back((*part)[of.index]);
-      }
-    };
-    add(*old_relation_, pair.old_cell);
-    add(*new_relation_, pair.new_cell);
+    const auto add = [&open](terms::TermId term) { open.push_back(term); };
+    old_relation_->ForEachNext(pair.old_cell, add);
+    new_relation_->ForEachNext(pair.new_cell, add);
     // Breadth first: what is near counts.
     for (size_t at = 0; at < open.size() && visited < kMostTermsOfSources && pair.sources.size() < kMostSources; ++at) {
       const terms::TermId id = open[at];
@@ -151,8 +146,7 @@ void WideRuns::Set(const WideSet& set) {
   const auto store = [&set](WideMachine& machine, execute::CellId cell) {
     if (!machine.Has(cell)) return;
     terms::Plane& plane = machine.Planes(cell)[0];
-    for (uint32_t w = 0; w < kWords; ++w)
-      plane.words[w] = (plane.words[w] & ~set.where.words[w]) | (set.value.words[w] & set.where.words[w]);
+    plane = terms::Choice(set.where, set.value, plane);
   };
   store(*old_machine_, input.old_cell);
   store(*new_machine_, input.new_cell);
@@ -167,7 +161,8 @@ void WideRuns::Advance(Period& period) {
     for (WideMachine* const machine : {&*old_machine_, &*new_machine_}) {
       const execute::CellId cell = machine == &*old_machine_ ? request : versions_.match.new_of_old[request.index];
       if (!machine->Has(cell)) continue;
-      for (uint32_t w = 0; w < kWords; ++w) machine->Planes(cell)[0].words[w] &= ~where.words[w];
+      terms::Plane& plane = machine->Planes(cell)[0];
+      plane = plane & ~where;
     }
   }
   const ir::Schedule& schedule = versions_.old_version.program->schedule;
@@ -189,9 +184,7 @@ void WideRuns::Compare(std::vector<uint32_t>& open, std::vector<Seen>& seen) {
     const std::span<const terms::Plane> one = std::as_const(*old_machine_).Planes(pairs_[i].old_cell),
                                         other = std::as_const(*new_machine_).Planes(pairs_[i].new_cell);
     terms::Plane differ;
-    for (size_t bit = 0; bit < std::min(one.size(), other.size()); ++bit) {
-      for (uint32_t w = 0; w < kWords; ++w) differ.words[w] |= one[bit].words[w] ^ other[bit].words[w];
-    }
+    for (size_t bit = 0; bit < std::min(one.size(), other.size()); ++bit) differ = differ | (one[bit] ^ other[bit]);
     differences_[i] = differ;
   }
   const auto period = static_cast<uint32_t>(history_.size());
@@ -211,9 +204,7 @@ void WideRuns::Select(const std::vector<uint32_t>& open, const std::vector<Seen>
   };
   for (const uint32_t pair : open) {
     terms::Plane near;
-    for (const uint32_t source : pairs_[pair].sources) {
-      for (uint32_t w = 0; w < kWords; ++w) near.words[w] |= differences_[source].words[w];
-    }
+    for (const uint32_t source : pairs_[pair].sources) near = near | differences_[source];
     add(near, 1);
   }
   // Where something was seen for the first time a moment ago, more follows.

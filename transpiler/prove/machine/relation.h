@@ -29,6 +29,13 @@ class Relation {
   /// By cell, over the variables; none: the cell keeps its value. Of the fast part only where it has a time of its own.
   const std::vector<terms::TermId>& fast() const { return fast_; }
   const std::vector<terms::TermId>& period() const { return period_; }
+  /// What a cell becomes in each part that computes it, the period first.
+  template <class Visit>
+  void ForEachNext(execute::CellId cell, Visit&& visit) const {
+    for (const std::vector<terms::TermId>* const part : {&period_, &fast_}) {
+      if (cell.index < part->size() && (*part)[cell.index].valid()) visit((*part)[cell.index]);
+    }
+  }
 
   /// What a variable stands for; none: the time, when it is `now`, or not one of this relation.
   execute::CellId CellOf(terms::TermId variable) const;

@@ -342,13 +342,14 @@ void DirectedSearch::RunWide(const std::vector<CellId>& sought, Time end, Random
   old_machine_.EndAt(end);
   new_machine_.EndAt(end);
   if (!wide_) {
-    wide_.emplace(prove::diff::UnrolledVersions{.old_version = old_version_,
-                                                .new_version = new_version_,
-                                                .match = match_,
-                                                .old_uses = old_uses_,
-                                                .new_uses = new_uses_,
-                                                .requests = requested_},
-                  cells_, end);
+    wide_.emplace(
+        prove::diff::UnrolledVersions{.old_version = old_version_,
+                                      .new_version = new_version_,
+                                      .match = match_,
+                                      .old_uses = old_uses_,
+                                      .new_uses = new_uses_,
+                                      .requests = prove::diff::MatchedRequests(old_version_, new_version_, match_)},
+        cells_, end);
   }
   // Runs that begin alike are repeated from where they part, or a little before.
   constexpr size_t kPeriodsBetweenMoments = 8;

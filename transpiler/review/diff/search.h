@@ -104,7 +104,6 @@ class DirectedSearch {
   std::vector<execute::CellId> compared_calls_;
   std::vector<Input> inputs_, behind_, near_;   // all; those after what was changed; those that it reads soon
   std::vector<prove::diff::SetCell> requests_;  // that the control clears
-  std::vector<execute::CellId> requested_;      // the same, as old cells
   std::vector<bool> is_settable_;  // by old cell: a scenario may; what one version alone has is nobody else's
   std::vector<execute::CellId> read_by_changed_;
   std::vector<uint64_t> constants_;

@@ -228,8 +228,7 @@ void DirectedSearch::FindInputs() {
     }
     inputs_.push_back(std::move(bits));
   }
-  requested_ = prove::diff::MatchedRequests(old_version_, new_version_, match_);
-  for (const CellId cell : requested_)
+  for (const CellId cell : prove::diff::MatchedRequests(old_version_, new_version_, match_))
     requests_.push_back({.old_cell = cell, .new_cell = match_.new_of_old[cell.index]});
   const auto read_inputs = [&] {
     std::vector<Input> read;

@@ -11,33 +11,8 @@ namespace plcxx::terms {
 namespace {
 
 constexpr uint32_t kScratch = 0x80000000;  // in the number of a plane: not a variable's
-constexpr uint32_t kWords = Plane::kWords;
 
-template <class Of>
-Plane Each(Of&& of) {
-  Plane plane;
-  for (uint32_t w = 0; w < kWords; ++w) plane.words[w] = of(w);
-  return plane;
-}
-Plane operator~(const Plane& a) {
-  return Each([&](uint32_t w) { return ~a.words[w]; });
-}
-Plane operator&(const Plane& a, const Plane& b) {
-  return Each([&](uint32_t w) { return a.words[w] & b.words[w]; });
-}
-Plane operator|(const Plane& a, const Plane& b) {
-  return Each([&](uint32_t w) { return a.words[w] | b.words[w]; });
-}
-Plane operator^(const Plane& a, const Plane& b) {
-  return Each([&](uint32_t w) { return a.words[w] ^ b.words[w]; });
-}
-Plane Choice(const Plane& condition, const Plane& then, const Plane& otherwise) {
-  return Each(
-      [&](uint32_t w) { return (condition.words[w] & then.words[w]) | (~condition.words[w] & otherwise.words[w]); });
-}
-Plane Majority(const Plane& a, const Plane& b, const Plane& c) {
-  return Each([&](uint32_t w) { return (a.words[w] & b.words[w]) | (c.words[w] & (a.words[w] ^ b.words[w])); });
-}
+Plane Majority(const Plane& a, const Plane& b, const Plane& c) { return (a & b) | (c & (a ^ b)); }
 
 /// to = a + b + carry
 void AddTo(Plane* to, const Plane* a, const Plane* b, uint32_t width) {

@@ -37,6 +37,30 @@ struct alignas(64) Plane {
   }
 };
 
+/// Word for word, by a function of the word's number.
+template <class Of>
+Plane MakePlane(Of&& of) {
+  Plane plane;
+  for (uint32_t w = 0; w < Plane::kWords; ++w) plane.words[w] = of(w);
+  return plane;
+}
+inline Plane operator~(const Plane& a) {
+  return MakePlane([&](uint32_t w) { return ~a.words[w]; });
+}
+inline Plane operator&(const Plane& a, const Plane& b) {
+  return MakePlane([&](uint32_t w) { return a.words[w] & b.words[w]; });
+}
+inline Plane operator|(const Plane& a, const Plane& b) {
+  return MakePlane([&](uint32_t w) { return a.words[w] | b.words[w]; });
+}
+inline Plane operator^(const Plane& a, const Plane& b) {
+  return MakePlane([&](uint32_t w) { return a.words[w] ^ b.words[w]; });
+}
+inline Plane Choice(const Plane& condition, const Plane& then, const Plane& otherwise) {
+  return MakePlane(
+      [&](uint32_t w) { return (condition.words[w] & then.words[w]) | (~condition.words[w] & otherwise.words[w]); });
+}
+
 /// The number that a term's planes have in a lane.
 uint64_t ValueInLane(std::span<const Plane> planes, uint32_t lane);
 void SetInLane(std::span<Plane> planes, uint32_t lane, uint64_t value);
