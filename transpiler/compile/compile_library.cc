@@ -34,7 +34,7 @@ bool WriteSources(const LibraryRequest& request, std::vector<std::string>& sourc
   bool written = WriteRuntime(request.directory);
   for (const emit::OutputFile& file : *request.files) {
     const bool source = file.name.ends_with(".cpp");
-    if (!source && !file.name.ends_with(".hpp") && !file.name.ends_with(".h")) continue;
+    if (!source && !IsHeader(file)) continue;
     const std::filesystem::path place = std::filesystem::path(request.directory) / file.name;
     std::error_code error;
     std::filesystem::create_directories(place.parent_path(), error);

@@ -9,5 +9,8 @@ using support::EmbeddedFile;
 
 extern const EmbeddedFile kRuntimeHeaders[];
 extern const unsigned kRuntimeHeadersCount;
+/// Of runtime_support/plcxx_host.
+extern const EmbeddedFile kHostHeaders[];
+extern const unsigned kHostHeadersCount;
 
 }  // namespace plcxx::compile

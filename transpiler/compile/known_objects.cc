@@ -57,10 +57,12 @@ bool IsDigest(std::string_view text) {
 
 }  // namespace
 
+bool IsHeader(const emit::OutputFile& file) { return file.name.ends_with(".hpp") || file.name.ends_with(".h"); }
+
 std::string CommonInputs(const Toolchain& toolchain, const std::vector<emit::OutputFile>& files) {
   std::string inputs;
   for (const emit::OutputFile& file : files) {
-    if (!file.name.ends_with(".hpp") && !file.name.ends_with(".h")) continue;
+    if (!IsHeader(file)) continue;
     support::AddSized(inputs, file.name);
     support::AddSized(inputs, file.text);
   }

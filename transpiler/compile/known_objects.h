@@ -17,6 +17,9 @@
 
 namespace plcxx::compile {
 
+/// Included by sources, not compiled itself.
+bool IsHeader(const emit::OutputFile& file);
+
 /// What all sources of a library have in common: headers of program and runtime, compiler, its environment.
 std::string CommonInputs(const Toolchain& toolchain, const std::vector<emit::OutputFile>& files);
 

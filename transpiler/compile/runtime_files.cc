@@ -8,14 +8,19 @@
 
 namespace plcxx::compile {
 
-std::vector<RuntimeFile> RuntimeFiles() {
+namespace {
+
+std::vector<RuntimeFile> FilesOf(const std::string& folder, const EmbeddedFile* headers, unsigned count) {
   std::vector<RuntimeFile> files;
-  for (unsigned i = 0; i < kRuntimeHeadersCount; ++i) {
-    const EmbeddedFile& header = kRuntimeHeaders[i];
-    files.push_back({std::string("plcxx/") + header.name, {header.text, header.size}});
-  }
+  for (unsigned i = 0; i < count; ++i) files.push_back({folder + headers[i].name, {headers[i].text, headers[i].size}});
   return files;
 }
+
+}  // namespace
+
+std::vector<RuntimeFile> RuntimeFiles() { return FilesOf("plcxx/", kRuntimeHeaders, kRuntimeHeadersCount); }
+
+std::vector<RuntimeFile> HostFiles() { return FilesOf("plcxx_host/", kHostHeaders, kHostHeadersCount); }
 
 bool WriteRuntime(const std::string& directory) {
   std::error_code error;

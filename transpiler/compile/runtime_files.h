@@ -14,6 +14,8 @@ struct RuntimeFile {
 
 /// All of them, by name.
 std::vector<RuntimeFile> RuntimeFiles();
+/// Those of runtime_support/plcxx_host, which a host's files include: "plcxx_host/pins.h".
+std::vector<RuntimeFile> HostFiles();
 
 /// Writes them to `directory`/plcxx, which is made when missing. False when one of them cannot be written.
 bool WriteRuntime(const std::string& directory);

@@ -277,12 +277,10 @@ int RunBuild(const BuildSettings& asked) {
                           : "'" + settings.target + "' is no target; there are: " + names);
   }
   if (!settings.host.empty() && settings.host != "own" && settings.target != "host") {
-    PrintUsageError("--host " + settings.host + " runs on Linux: --target host");
-    return kWrongUse;
+    return UsageError("--host " + settings.host + " runs on Linux: --target host");
   }
   if (const std::string missing = MissingForHost(HostOf(settings)); !missing.empty()) {
-    PrintUsageError(missing);
-    return kWrongUse;
+    return UsageError(missing);
   }
   uint64_t clock_hz = 0;
   if (!settings.clock.empty()) {

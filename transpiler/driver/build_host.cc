@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "transpiler/compile/child_process.h"
-#include "transpiler/compile/host_files.h"
+#include "transpiler/compile/runtime_files.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/measure/figures.h"

@@ -51,7 +51,7 @@ int WriteBaseline(const CommonOptions& options, const compilation::CompilationRe
   output.files = {{path, project::BaselineText(compilation, request.base_directory)}};
   output.protected_paths = PathsRead(compilation, options);
   if (const auto failure = WriteAll(output)) {
-    return UsageError("cannot write '" + failure->path + "': " + failure->reason);
+    return CannotWrite(*failure);
   }
   std::cerr << "wrote " << diag::Escaped(path) << ": "
             << support::Counted(compilation.diagnostics.all().size(), "warning") << " accepted\n";

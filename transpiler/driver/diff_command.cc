@@ -84,7 +84,7 @@ int WriteScenarios(const review::diff::Diff& diff, const std::string& directory)
   }
   const std::optional<WriteFailure> failure = WriteAll(output);
   if (!failure) return kDone;
-  return UsageError("cannot write '" + failure->path + "': " + failure->reason);
+  return CannotWrite(*failure);
 }
 
 std::string Rendered(const review::diff::Diff& diff, const DiffNames& names, const std::string& format) {

@@ -99,7 +99,7 @@ int RunInit(const InitSettings& settings) {
     }
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
     if (const auto failure = WriteAll({{}, {{path.string(), file.text}}, {}})) {
-      return UsageError("cannot write '" + failure->path + "': " + failure->reason);
+      return CannotWrite(*failure);
     }
     Say(heading, path.generic_string());
     heading.clear();

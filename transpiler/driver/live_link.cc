@@ -211,8 +211,7 @@ int LinkSession::Follow() {
 int LinkSession::Save() {
   if (words_.waveform.empty() || !trace_) return kDone;
   const OutputRequest output{{}, {{words_.waveform, sim::WriteVcd(*trace_, compilation_.name)}}, {}};
-  if (const auto failure = WriteAll(output))
-    return UsageError("cannot write '" + failure->path + "': " + failure->reason);
+  if (const auto failure = WriteAll(output)) return CannotWrite(*failure);
   return kDone;
 }
 

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "transpiler/driver/terminal.h"
 #include "transpiler/support/file_names.h"
 
 namespace plcxx::driver {
@@ -254,6 +255,10 @@ std::optional<WriteFailure> Transaction::Run() {
 }
 
 }  // namespace
+
+int CannotWrite(const WriteFailure& failure) {
+  return UsageError("cannot write '" + failure.path + "': " + failure.reason);
+}
 
 bool IsFileName(std::string_view name) { return support::IsFileName(name); }
 

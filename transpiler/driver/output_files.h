@@ -28,6 +28,9 @@ struct OutputRequest {
 /// After a failure the directory is as it was before.
 std::optional<WriteFailure> WriteAll(const OutputRequest& request);
 
+/// Tells that as a usage error; its exit code, for commands that end with it.
+int CannotWrite(const WriteFailure& failure);
+
 /// Can a file be called so, on every system and without leaving its directory?
 bool IsFileName(std::string_view name);
 

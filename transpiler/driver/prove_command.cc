@@ -177,7 +177,7 @@ class Prove {
     }
     if (!output.files.empty()) {
       if (const std::optional<WriteFailure> failure = WriteAll(output)) {
-        return UsageError("cannot write '" + failure->path + "': " + failure->reason);
+        return CannotWrite(*failure);
       }
     }
     for (const ProvedProperty& proved : proved_) {

@@ -63,7 +63,7 @@ int PrintManual(CLI::App& app, const std::string& name, const std::string& folde
     return UsageError("'" + name + "' is no command of plcxx");
   }
   if (const auto failure = WriteAll(output)) {
-    return UsageError("cannot write '" + failure->path + "': " + failure->reason);
+    return CannotWrite(*failure);
   }
   return kDone;
 }

@@ -114,7 +114,7 @@ int RunSim(const SimSettings& settings) {
   if (!settings.waveform.empty()) {
     const OutputRequest output{{}, {{settings.waveform, sim::WriteVcd(outcome.trace, compilation.name)}}, {}};
     if (const auto failure = WriteAll(output)) {
-      return UsageError("cannot write '" + failure->path + "': " + failure->reason);
+      return CannotWrite(*failure);
     }
   }
   PrintOutcome(settings, plan, outcome);

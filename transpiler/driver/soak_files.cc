@@ -94,7 +94,7 @@ bool WriteSoak(const std::string& directory, const soak::Record& record, std::ve
   std::error_code none;  // what is wrong is told when the file is written
   std::filesystem::create_directories(CorpusFolder(directory), none);
   if (const std::optional<WriteFailure> failure = WriteAll(output)) {
-    PrintUsageError("cannot write '" + failure->path + "': " + failure->reason);
+    CannotWrite(*failure);
     return false;
   }
   RemoveRedundant(directory, record);

@@ -106,7 +106,7 @@ int WriteFiles(const TestSettings& settings, const std::vector<scenarios::Scenar
   }
   const std::optional<WriteFailure> failure = WriteAll(output);
   if (!failure) return kDone;
-  return UsageError("cannot write '" + failure->path + "': " + failure->reason);
+  return CannotWrite(*failure);
 }
 
 /// None when the command line is wrong; reported.
