@@ -341,6 +341,18 @@ inline std::string Contents(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// The sources of a dialect that make words and trees, where the functions that read a production are.
+inline std::string FrontEndOf(const std::string& dialect) {
+  std::string text;
+  for (const char* const room : {"source", "parser"}) {
+    const std::filesystem::path folder = std::filesystem::path(PLCXX_ROOT) / "transpiler/dialects" / dialect / room;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (entry.path().extension() == ".cc") text += Contents(entry.path());
+    }
+  }
+  return text;
+}
+
 /// grammars/<name>.ebnf of the repository.
 inline Grammar GrammarOf(const std::string& name) {
   return Grammar(Contents(std::filesystem::path(PLCXX_ROOT) / "grammars" / (name + ".ebnf")));

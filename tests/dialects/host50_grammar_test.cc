@@ -1,6 +1,4 @@
 // The reference grammar is executed: its sentences parse, and changed by one symbol they do not crash.
-#include <filesystem>
-#include <iterator>
 
 #include "tests/dialects/grammar.h"
 #include "tests/dialects/host50_parsing.h"
@@ -8,7 +6,6 @@
 namespace plcxx::host50 {
 namespace {
 
-using testing_support::Contents;
 using testing_support::Grammar;
 using testing_support::Numbers;
 
@@ -80,12 +77,7 @@ bool IsBeyondGrammar(const diag::Diagnostic& diagnostic) {
 TEST(Host50Grammar, IsWhole) { EXPECT_THAT(TheGrammar().Problems(), testing::IsEmpty()); }
 
 TEST(Host50Grammar, EveryProductionHasAReader) {
-  std::string front_end;
-  for (const std::filesystem::path room : {"source", "parser"}) {
-    for (const auto& entry : std::filesystem::directory_iterator(PLCXX_ROOT "/transpiler/dialects/host50" / room)) {
-      if (entry.path().extension() == ".cc") front_end += Contents(entry.path());
-    }
-  }
+  const std::string front_end = testing_support::FrontEndOf("host50");
   for (const std::string& name : TheGrammar().Names()) {
     const std::string definition = TheGrammar().ReaderOf(name) + "(";
     EXPECT_NE(front_end.find(definition), std::string::npos) << name << " is read by " << definition;

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <iterator>
 
 #include "tests/dialects/grammar.h"
@@ -12,7 +11,6 @@
 namespace plcxx::@name@ {
 namespace {
 
-using testing_support::Contents;
 using testing_support::Grammar;
 using testing_support::Numbers;
 
@@ -54,12 +52,7 @@ std::vector<std::string> ErrorsOf(const std::string& text) {
 TEST(@Name@Grammar, IsWhole) { EXPECT_THAT(TheGrammar().Problems(), testing::IsEmpty()); }
 
 TEST(@Name@Grammar, EveryProductionHasAReader) {
-  std::string front_end;
-  for (const std::filesystem::path room : {"source", "parser"}) {
-    for (const auto& entry : std::filesystem::directory_iterator(PLCXX_ROOT "/transpiler/dialects/@name@" / room)) {
-      if (entry.path().extension() == ".cc") front_end += Contents(entry.path());
-    }
-  }
+  const std::string front_end = testing_support::FrontEndOf("@name@");
   for (const std::string& name : TheGrammar().Names()) {
     const std::string definition = TheGrammar().ReaderOf(name) + "(";
     EXPECT_NE(front_end.find(definition), std::string::npos) << name << " is read by " << definition;
