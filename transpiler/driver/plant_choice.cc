@@ -1,5 +1,6 @@
 #include "transpiler/driver/plant_choice.h"
 
+#include <filesystem>
 #include <iostream>
 #include <utility>
 #include <variant>
@@ -71,6 +72,21 @@ std::optional<std::shared_ptr<const live::BoundPanel>> ChoosePanel(const std::st
     return std::nullopt;
   }
   return std::move(std::get<Panel>(bound));
+}
+
+std::optional<BoundPlantPointer> ChooseSearchPlant(const std::string& option, const CommonOptions& common,
+                                                   const compilation::Compilation& compilation) {
+  const std::string named = option.empty() ? kNoPlant : option == kPlantOfProject ? "" : option;
+  std::optional<BoundPlantPointer> plant = ChoosePlant(named, common, compilation);
+  if (option == kPlantOfProject && plant && !*plant) {
+    PrintUsageError("--plant project: the plcxx.yaml here names no plant; write 'plant: FILE' into it");
+    return std::nullopt;
+  }
+  return plant;
+}
+
+std::string PlantName(const scenarios::BoundPlant& plant) {
+  return std::filesystem::path(plant.model().path()).filename().string();
 }
 
 }  // namespace plcxx::driver

@@ -27,4 +27,15 @@ std::optional<std::shared_ptr<const live::BoundPanel>> ChoosePanel(const std::st
                                                                    const compilation::Compilation& compilation,
                                                                    const scenarios::BoundPlant* plant);
 
+/// As the value of --plant of a search for runs: the one of plcxx.yaml.
+inline constexpr const char* kPlantOfProject = "project";
+
+/// The plant of a search for runs, in which nothing moves by itself unless `option` says so: a file, or
+/// kPlantOfProject, which must be there. None: what is wrong has been printed.
+std::optional<std::shared_ptr<const scenarios::BoundPlant>> ChooseSearchPlant(
+    const std::string& option, const CommonOptions& common, const compilation::Compilation& compilation);
+
+/// Its file, without the folder.
+std::string PlantName(const scenarios::BoundPlant& plant);
+
 }  // namespace plcxx::driver

@@ -13,6 +13,7 @@
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/plant_choice.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/property_choice.h"
@@ -41,12 +42,16 @@ What is looked at is the state after each period, for all inputs, from power-on 
 slow passes, fast passes or ms, which are rounded up to periods. The slow part is taken as one piece, also where it
 is cut into slices.
 
+--plant lets the machine move in runs that are tried: a violation that it shows is preferred to one that only inputs show
+which it does not give. What is proved is proved for every input all the same, whatever the plant does.
+
 A violated property comes with a scenario, run before it is shown: with --counterexamples it is written to a file that
 'plcxx test' runs. 'properties:' in a scenario is a list of properties; 'plcxx test' watches them while the steps run.
 
 Examples:
   plcxx prove                                              the properties that plcxx.yaml names
   plcxx prove turret.sym turret.plc --property turret.prop
+  plcxx prove --plant project                              runs with the plant of plcxx.yaml come first
   plcxx prove turret.yaml                                  sources, options and properties of a scenario
   plcxx prove turret.plc --property turret.prop --counterexamples failing --junit proofs.xml
 
@@ -56,6 +61,7 @@ struct ProveSettings {
   CommonOptions common;
   std::vector<std::string> files;
   std::string form = "text", junit, counterexamples, time = "60s";
+  std::string plant;  // a file, or kPlantOfProject; empty: nothing moves by itself
   uint32_t most_periods = 50;
   bool any_retentive = false;
 };
@@ -105,13 +111,26 @@ class Prove {
       return UsageError("the sources are data only: there is no program to prove anything of");
     if (const int code = ReadProperties(chosen_, settings_.common, machine_, properties_); code != kDone) return code;
     for (const scenarios::PlacedProperty& placed : properties_) scenarios::NameLocationsOf(placed.property, machine_);
+    const auto plant = ChooseSearchPlant(settings_.plant, settings_.common, compilation);
+    if (!plant) return kWrongUse;
+    plant_ = *plant;
     progress_.Show("executing");
-    review::properties::PropertyRuns runs(machine_, scenarios::KnownRuns(request_));
+    const auto known = scenarios::KnownRuns(request_);
+    review::properties::PropertyRuns runs(machine_, known);
     options_.try_runs = [&runs](const prove::properties::RunSearch& search) { return runs.Find(search); };
+    std::optional<review::properties::PropertyRuns> planted;
+    if (plant_) {
+      planted.emplace(machine_, known, plant_);
+      options_.planted.reads = review::properties::ReadsOf(*plant_, machine_);
+      options_.planted.try_runs = [&planted](const prove::properties::RunSearch& search) {
+        return planted->Find(search);
+      };
+    }
     options_.why_not_shown = [this](const prove::properties::Property& property,
                                     const prove::properties::PropertyResult& result) {
-      scenario_of_run_ = review::properties::MakePropertyScenario(machine_, request_, property, result, PlaceOfNext());
-      return scenario_of_run_.reason;
+      replayed_.push_back(
+          review::properties::MakePropertyScenario(machine_, request_, property, result, PlaceOfNext()));
+      return replayed_.back().reason;
     };
     options_.progress = [this](const std::string& what) {
       progress_.Show("property " + std::to_string(proved_.size() + 1) + " of " + std::to_string(properties_.size()) +
@@ -127,12 +146,16 @@ class Prove {
 
  private:
   review::properties::ScenarioPlace PlaceOfNext() const {
-    return {.directory = settings_.counterexamples, .name = "property-" + std::to_string(proved_.size() + 1) + ".yaml"};
+    return {.directory = settings_.counterexamples,
+            .name = "property-" + std::to_string(proved_.size() + 1) + ".yaml",
+            .plant = plant_.get()};
   }
 
   void Check(prove::properties::PropertyChecker& checker, scenarios::PlacedProperty placed) {
     const std::string number = std::to_string(proved_.size() + 1);
-    ProvedProperty proved{.placed = std::move(placed), .result = {}, .scenario = {}, .file = {}};
+    ProvedProperty proved{.placed = std::move(placed), .result = {}, .scenario = {}, .file = {}, .plant = {}};
+    if (plant_) proved.plant = PlantName(*plant_);
+    replayed_.clear();
     const prove::properties::Property& property = proved.placed.property;
     progress_.Show("property " + number + " of " + std::to_string(properties_.size()) + ": " + property.text);
     proved.result = checker.Check(property);
@@ -143,7 +166,8 @@ class Prove {
                 std::string("the slow part is taken as one piece: of what is there between its ") +
                 std::to_string(machine_.slices) + " slices, where inputs change, nothing is proved";
     }
-    if (proved.result.run) proved.scenario = std::move(scenario_of_run_);
+    if (plant_ && proved.result.verdict == prove::properties::PropertyVerdict::kProved) RemarkOnPlant(proved.result);
+    if (proved.result.run) proved.scenario = std::move(replayed_.at(proved.result.replay));
     if (proved.result.verdict == prove::properties::PropertyVerdict::kViolated && !settings_.counterexamples.empty()) {
       const review::properties::ScenarioPlace place = PlaceOfNext();
       proved.file = (std::filesystem::path(place.directory) / place.name).generic_string();
@@ -156,16 +180,28 @@ class Prove {
     proved_.push_back(std::move(proved));
   }
 
+  /// A proof is about all inputs, and about nothing else that a plant may write.
+  void RemarkOnPlant(prove::properties::PropertyResult& result) const {
+    const std::vector<std::string> beside = review::properties::DrivenBesideInputs(*plant_, machine_);
+    if (beside.empty()) return;
+    std::string names;
+    for (const std::string& name : beside) names += (names.empty() ? "'" : ", '") + name + "'";
+    result.remark += (result.remark.empty() ? "the plant drives " : "; the plant drives ") + names +
+                     ", which is no input: of what it does there nothing is proved";
+  }
+
   int Finish() {
+    const std::string plant = plant_ ? PlantName(*plant_) : "";
     if (settings_.form == "json") {
-      std::cout << ProveJson(proved_);
+      std::cout << ProveJson(proved_, plant);
     } else {
-      std::cout << ProveSummary(proved_) << "\n";
+      std::cout << ProveSummary(proved_, plant) << "\n";
     }
     OutputRequest output;
     output.protected_paths = PathsRead(machine_.compilation, settings_.common);
     for (const scenarios::Scenario& scenario : chosen_.scenarios) output.protected_paths.push_back(scenario.path);
     for (const std::string& path : chosen_.files) output.protected_paths.push_back(path);
+    if (plant_) output.protected_paths.push_back(plant_->model().path());
     if (!settings_.junit.empty()) output.files.push_back({settings_.junit, JunitXml(ProveCases(proved_))});
     for (const ProvedProperty& proved : proved_) {
       if (!proved.file.empty()) output.files.push_back({proved.file, proved.scenario.yaml});
@@ -194,7 +230,9 @@ class Prove {
   ProgressLine progress_;
   std::vector<scenarios::PlacedProperty> properties_;
   std::vector<ProvedProperty> proved_;
-  review::properties::PropertyScenario scenario_of_run_;  // of the last run that was shown, or was not
+  std::shared_ptr<const scenarios::BoundPlant> plant_;  // may be none
+  /// Of the property at hand: of each run that was shown, or was not.
+  std::vector<review::properties::PropertyScenario> replayed_;
 };
 
 int RunProve(const ProveSettings& settings) { return Prove(settings).Run(); }
@@ -209,6 +247,10 @@ void AddProve(CLI::App& app, Run& run) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->take_all();
+  command
+      ->add_option("--plant", settings->plant,
+                   "Try runs with this plant moving first; 'project': that of plcxx.yaml. Proofs stay for all inputs")
+      ->type_name("FILE");
   command
       ->add_option("--counterexamples", settings->counterexamples,
                    "Write a scenario for each violated property into this directory")

@@ -23,6 +23,15 @@ std::string_view NameOf(PropertyVerdict verdict) {
   PLCXX_UNREACHABLE();
 }
 
+/// What a run says of the machine, where a plant is given.
+std::string PlantLine(const ProvedProperty& proved) {
+  if (proved.result.run->has_plant) return "the plant (" + proved.plant + ") moves in this run";
+  if (proved.placed.property.kind == prove::properties::PropertyKind::kNeverStuck) {
+    return "the plant does not move in this run: what is stuck is asked of every input";
+  }
+  return "the plant does not move in this run; with it no run was found";
+}
+
 /// The lines below the property's own, without indentation.
 std::vector<std::string> DetailsOf(const ProvedProperty& proved) {
   const prove::properties::PropertyResult& result = proved.result;
@@ -39,6 +48,7 @@ std::vector<std::string> DetailsOf(const ProvedProperty& proved) {
     case PropertyVerdict::kViolated: {
       std::vector<std::string> lines{"after " + support::Counted(result.periods, "period") + ": " +
                                      proved.scenario.steps};
+      if (!proved.plant.empty()) lines.push_back(PlantLine(proved));
       if (!result.reason.empty()) lines.push_back(result.reason);
       if (!result.remark.empty()) lines.push_back("note: " + result.remark);
       if (!proved.file.empty()) lines.push_back("scenario: " + proved.file);
@@ -75,17 +85,20 @@ std::string ProveText(const ProvedProperty& proved, Colours colours) {
   return text;
 }
 
-std::string ProveSummary(const std::vector<ProvedProperty>& all) {
+std::string ProveSummary(const std::vector<ProvedProperty>& all, const std::string& plant) {
   std::string text = std::to_string(all.size()) + (all.size() == 1 ? " property: " : " properties: ") +
                      std::to_string(CountOf(all, PropertyVerdict::kProved)) + " proved";
   for (const PropertyVerdict verdict : {PropertyVerdict::kViolated, PropertyVerdict::kUndecided}) {
     const size_t count = CountOf(all, verdict);
     if (count > 0) text += ", " + std::to_string(count) + " " + std::string(NameOf(verdict));
   }
+  if (!plant.empty()) {
+    text += "\nProofs hold for every input, whatever the plant (" + plant + ") does; runs in which it moves say so.";
+  }
   return text;
 }
 
-std::string ProveJson(const std::vector<ProvedProperty>& all) {
+std::string ProveJson(const std::vector<ProvedProperty>& all, const std::string& plant) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ProvedProperty& proved : all) {
     const prove::properties::PropertyResult& result = proved.result;
@@ -105,6 +118,7 @@ std::string ProveJson(const std::vector<ProvedProperty>& all) {
       case PropertyVerdict::kViolated:
         one["periods"] = result.periods;
         one["steps"] = proved.scenario.steps;
+        if (!plant.empty()) one["plantMoves"] = result.run->has_plant;
         one["replayed"] = true;  // what the simulation does not show is not decided
         one["scenario"] = proved.scenario.yaml;
         if (!proved.file.empty()) one["scenarioFile"] = proved.file;
@@ -116,6 +130,7 @@ std::string ProveJson(const std::vector<ProvedProperty>& all) {
     list.push_back(std::move(one));
   }
   nlohmann::ordered_json report;
+  if (!plant.empty()) report["plant"] = plant;
   report["properties"] = std::move(list);
   return diag::JsonForTerminals(report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }

@@ -45,7 +45,6 @@ Examples:
 
 docs/soak.md tells more. Exit codes: 0 nothing found, 1 something found, or the program has errors, 2 wrong use.)";
 
-constexpr const char* kOfProject = "project";  // as the value of --plant
 constexpr uint64_t kMsPerHour = 3'600'000, kMostHours = 10'000'000;
 constexpr uint32_t kMostMachines = 1'000'000;
 
@@ -54,7 +53,7 @@ struct SoakSettings {
   std::vector<std::string> files;  // of properties
   std::optional<std::string> until;
   std::string length = "1h", time, shard, directory, merge, form = "text";
-  std::string plant;  // a file, or kOfProject; empty: nothing moves by itself
+  std::string plant;  // a file, or kPlantOfProject; empty: nothing moves by itself
   uint32_t machines = 16, jobs = 1;
   uint64_t seed = 1;
 };
@@ -138,12 +137,8 @@ int RunSoak(const SoakSettings& settings) {
     properties.push_back(std::move(one.property));
   }
 
-  const std::string named = settings.plant.empty() ? kNoPlant : settings.plant == kOfProject ? "" : settings.plant;
-  const auto plant = ChoosePlant(named, settings.common, machine.compilation);
+  const auto plant = ChooseSearchPlant(settings.plant, settings.common, machine.compilation);
   if (!plant) return kWrongUse;
-  if (settings.plant == kOfProject && !*plant) {
-    return UsageError("--plant project: the plcxx.yaml here names no plant; write 'plant: FILE' into it");
-  }
 
   progress.Show("inputs");
   const soak::Inputs inputs(machine, plant->get());
@@ -179,7 +174,7 @@ int RunSoak(const SoakSettings& settings) {
   soak::Record record = soak::MakeRecord(machine, soaked, goals, inputs, plan);
   record.seed = settings.seed;
   record.machines = own;
-  if (*plant) record.plant = std::filesystem::path((*plant)->model().path()).filename().string();
+  if (*plant) record.plant = PlantName(**plant);
   if (!settings.shard.empty()) record.shards.insert(settings.shard);
   if (!settings.directory.empty()) {
     std::vector<emit::OutputFile> files;

@@ -226,19 +226,21 @@ int WhetherItCan(const WhySettings& settings) {
 
   review::properties::PropertyRuns runs(machine, scenarios::KnownRuns(*request));
   CanAnswer answer{.signal = settings.signal, .is_bit = is_bit, .result = {}, .scenario = {}};
+  std::vector<review::properties::PropertyScenario> replayed;
   prove::properties::CheckOptions options;
   options.time_ms = *time_ms;
   options.try_runs = [&runs](const prove::properties::RunSearch& search) { return runs.Find(search); };
   options.why_not_shown = [&](const prove::properties::Property& violated,
                               const prove::properties::PropertyResult& result) {
-    answer.scenario = review::properties::MakePropertyScenario(machine, *request, violated, result,
-                                                               {.directory = "", .name = "can.yaml"});
-    return answer.scenario.reason;
+    replayed.push_back(review::properties::MakePropertyScenario(machine, *request, violated, result,
+                                                                {.directory = "", .name = "can.yaml"}));
+    return replayed.back().reason;
   };
   options.progress = [&progress](const std::string& what) { progress.Show(what); };
   prove::properties::PropertyChecker checker(machine.version, std::move(options));
   if (!checker.refusal().empty()) return UsageError("nothing can be proved: " + checker.refusal());
   answer.result = checker.Check(property);
+  if (answer.result.run) answer.scenario = std::move(replayed.at(answer.result.replay));
   progress.Clear();
   std::cout << (settings.form == "json" ? CanJson(answer) : CanText(answer));
   return answer.result.verdict == prove::properties::PropertyVerdict::kUndecided ? kProgramHasErrors : kDone;

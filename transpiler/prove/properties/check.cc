@@ -19,11 +19,19 @@ constexpr size_t kMostInvariantCells = 160;  // around which invariants are look
 constexpr uint32_t kQuickShare = 40, kSearchShare = 10, kThoroughShare = 3;
 constexpr uint32_t kFirstInductionShare = 8, kInductionShare = 2;
 constexpr uint32_t kMostQuickMs = 1500;
+constexpr uint32_t kMostPlantedMs = 2000;  // after a violation without the plant
 constexpr uint32_t kMostQuickWindow = 20;
 constexpr std::chrono::seconds kRemarkTime{5};
 constexpr size_t kMostQuestionTerms = 250'000;
 
 const char* const kNoTime = "the time was not enough";
+
+std::vector<execute::CellId> OperandCellsOf(const Property& property) {
+  std::vector<execute::CellId> cells;
+  for (const PropertyOperand& operand : property.operands)
+    cells.insert(cells.end(), operand.cells.begin(), operand.cells.end());
+  return cells;
+}
 
 std::string Periods(uint32_t count) { return std::to_string(count) + (count == 1 ? " period" : " periods"); }
 
@@ -76,7 +84,9 @@ bool PropertyChecker::Extend(machine::Unrolled& unrolled, uint32_t periods, Prop
 
 PropertyResult PropertyChecker::Check(const Property& property) {
   deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(options_.time_ms);
+  replays_ = 0;
   PropertyResult result = CheckInTime(property);
+  if (result.verdict == PropertyVerdict::kViolated) PreferPlanted(property, result);
   // The time may end between two steps.
   if (result.verdict == PropertyVerdict::kUndecided && result.reason.empty()) result.reason = kNoTime;
   if (result.verdict == PropertyVerdict::kProved) result.remark = RemarkOn(property);
@@ -165,36 +175,74 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
   return result;
 }
 
+void PropertyChecker::AddInputsBehind(const std::vector<execute::CellId>& cells, RunSearch& search) {
+  const auto add = [](execute::CellId cell, std::vector<execute::CellId>& to) {
+    if (std::ranges::find(to, cell) == to.end()) to.push_back(cell);
+  };
+  // Where the host may answer anything, inputs that it writes within a period are answers, too: no cells.
+  for (const execute::CellId cell : CellsBehind(terms_, *silent_, cells)) {
+    if (inputs_[cell.index]) add(cell, search.inputs);
+    if (requests_[cell.index]) add(cell, search.requests);
+  }
+}
+
 bool PropertyChecker::TryRuns(const Property& property, uint64_t milliseconds, bool thorough, PropertyResult& result) {
   if (!options_.try_runs || options_.retentive == RetentiveMemory::kAny || Late()) return false;
   Report(thorough ? "trying runs" : "trying a few runs");
   RunSearch search{
       .property = &property, .inputs = {}, .requests = {}, .milliseconds = milliseconds, .thorough = thorough};
-  std::vector<execute::CellId> cells;
-  for (const PropertyOperand& operand : property.operands)
-    cells.insert(cells.end(), operand.cells.begin(), operand.cells.end());
-  // Where the host may answer anything, inputs that it writes within a period are answers, too: no cells.
-  for (const execute::CellId cell : CellsBehind(terms_, *silent_, cells)) {
-    if (inputs_[cell.index]) search.inputs.push_back(cell);
-    if (requests_[cell.index]) search.requests.push_back(cell);
+  if (options_.planted.try_runs) {
+    search.milliseconds /= 2;
+    if (TryPlantedRuns(property, search, result)) return true;
   }
+  AddInputsBehind(OperandCellsOf(property), search);
+  return TryFound(property, options_.try_runs(search), result);
+}
+
+bool PropertyChecker::TryPlantedRuns(const Property& property, RunSearch search, PropertyResult& result) {
+  AddInputsBehind(OperandCellsOf(property), search);
+  // What moves the plant moves the inputs that it drives.
+  AddInputsBehind(options_.planted.reads, search);
+  return TryFound(property, options_.planted.try_runs(search), result);
+}
+
+bool PropertyChecker::TryFound(const Property& property, std::optional<PropertyRun> run, PropertyResult& result) {
+  if (!run) return false;
   PropertyResult found;
-  found.run = options_.try_runs(search);
-  if (!found.run) return false;
-  found.periods = static_cast<uint32_t>(found.run->periods.size());
+  found.periods = static_cast<uint32_t>(run->periods.size());
+  found.run = std::move(run);
   // The program in one piece shows it; cut into slices it may not.
   PropertyResult concluded;
   Conclude(property, std::move(found), terms::TermId(), concluded);
   if (concluded.verdict != PropertyVerdict::kViolated) return false;
+  concluded.searched = result.searched;
   result = std::move(concluded);
   return true;
+}
+
+void PropertyChecker::PreferPlanted(const Property& property, PropertyResult& result) {
+  if (!options_.planted.try_runs || property.kind == PropertyKind::kNeverStuck) return;
+  if (options_.retentive == RetentiveMemory::kAny || !result.run || result.run->has_plant || Late()) return;
+  Report("trying runs with the plant");
+  // A copy, for what is found is written into the result.
+  const PropertyRun similar = *result.run;
+  TryPlantedRuns(property,
+                 {.property = &property,
+                  .inputs = {},
+                  .requests = {},
+                  .milliseconds = std::min(kMostPlantedMs, RestMs()),
+                  .thorough = true,
+                  .similar = &similar},
+                 result);
 }
 
 void PropertyChecker::Conclude(const Property& property, PropertyResult found, terms::TermId violated,
                                PropertyResult& result) {
   found.verdict = PropertyVerdict::kViolated;
   found.searched = result.searched;
+  found.replay = replays_;
   const std::string why_not = options_.why_not_shown ? options_.why_not_shown(property, found) : std::string();
+  if (options_.why_not_shown) ++replays_;
   if (!why_not.empty()) {
     found.verdict = PropertyVerdict::kUndecided;
     found.reason = violated.valid() && machine::DependsOnLoop(terms_, violated)

@@ -37,6 +37,7 @@ struct InputValue {
 /// A run from power-on: inputs that are set before each part of each period, and requests that are taken back. All
 /// inputs that matter are set in the first part; later only those that change.
 struct PropertyRun {
+  bool has_plant = false;             // the plant moves in it, and drives inputs that are not named here
   std::vector<InputValue> retentive;  // that was stored before power-on; what is not named is 0
   std::vector<std::vector<std::vector<InputValue>>> periods;
 };
@@ -48,6 +49,16 @@ struct RunSearch {
   std::vector<execute::CellId> requests;  // bits on which it depends and that the control takes back when it likes
   uint64_t milliseconds = 0;
   bool thorough = false;  // take all of the time
+  /// A run without the plant that violates it: what it sets is worth trying with the plant. May be null.
+  const PropertyRun* similar = nullptr;
+};
+
+using FindRun = std::function<std::optional<PropertyRun>(const RunSearch& search)>;
+
+/// Runs of a machine whose plant moves: they are among those of all inputs, and nothing is proved by them.
+struct PlantedRuns {
+  FindRun try_runs;                    // empty: there is no plant
+  std::vector<execute::CellId> reads;  // on what the plant depends
 };
 
 enum class PropertyVerdict : uint8_t { kProved, kViolated, kUndecided };
@@ -61,6 +72,7 @@ struct PropertyResult {
   std::optional<PropertyRun> run;  // of kViolated; of kUndecided one that the machine does not show
   std::string remark;              // why the verdict may say little; lower case, no full stop
   bool stuck_at = false;           // kViolated of kNeverStuck: what the output is behind the run, and stays
+  uint32_t replay = 0;             // where there is a run: which of those of this check that were asked why, from 0
 };
 
 struct CheckOptions {
@@ -70,7 +82,9 @@ struct CheckOptions {
   /// Told what is being done, for a progress line; may be empty.
   std::function<void(const std::string& what)> progress;
   /// Tries runs until one violates the property; may be empty. Not asked with any retentive memory.
-  std::function<std::optional<PropertyRun>(const RunSearch& search)> try_runs;
+  FindRun try_runs;
+  /// Likewise, and before those: what the machine shows says more than what no plant does.
+  PlantedRuns planted;
   /// Runs the machine as the result's run says: empty when it shows the violation, else why it does not. May be empty.
   std::function<std::string(const Property& property, const PropertyResult& result)> why_not_shown;
 };
@@ -104,6 +118,12 @@ class PropertyChecker {
   std::vector<terms::TermId> StaysQuiet(machine::Unrolled& unrolled, uint32_t periods);
   bool SearchRuns(const Property& property, uint32_t period, PropertyResult& result);
   bool TryRuns(const Property& property, uint64_t milliseconds, bool thorough, PropertyResult& result);
+  bool TryPlantedRuns(const Property& property, RunSearch search, PropertyResult& result);
+  bool TryFound(const Property& property, std::optional<PropertyRun> run, PropertyResult& result);
+  /// A run without the plant violates it: one with the plant takes its place where a short search finds one.
+  void PreferPlanted(const Property& property, PropertyResult& result);
+  /// Inputs and requests on which the cells depend.
+  void AddInputsBehind(const std::vector<execute::CellId>& cells, RunSearch& search);
   /// A run has been found: whether the machine shows it.
   void Conclude(const Property& property, PropertyResult found, terms::TermId violated, PropertyResult& result);
   bool TryInduction(const Property& property, uint32_t k, PropertyResult& result);
@@ -164,6 +184,7 @@ class PropertyChecker {
   std::unique_ptr<machine::Unrolled> anywhere_;  // from any state
   std::vector<invariants::Invariant> invariants_;
   bool too_large_ = false;  // the last question was not asked
+  uint32_t replays_ = 0;    // runs of this check that were asked why they are not shown
   std::chrono::steady_clock::time_point deadline_;
 };
 

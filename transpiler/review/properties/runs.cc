@@ -24,6 +24,10 @@ constexpr uint32_t kRandomPeriods = 200;
 constexpr int kShortHoldRuns = 96, kLongHoldRuns = 24, kRandomRuns = 24, kDisturbedPeriods = 6;
 /// Waiting after all has been set: a run looks at every period, so that the shortest wait is found.
 constexpr uint32_t kShortHoldPeriods = 300, kHoldMs = 30'000;
+/// What one scan does without the machine it does after a while with it.
+constexpr uint32_t kStretches[] = {1, 10, 100};
+/// In slices the plant sees an output some slices later or sooner than at the end of a pass.
+constexpr uint32_t kSlicedPasses = 2;
 /// The answer is there; a short one is read more easily.
 constexpr std::chrono::seconds kShorteningTime{2};
 
@@ -35,13 +39,15 @@ uint32_t PeriodsOfMs(const scenarios::ProveMachine& machine, uint64_t ms) {
 /// The program in the simulator, with the dialect's simulated control around it, watched period by period.
 class Watched {
  public:
-  Watched(const scenarios::ProveMachine& machine, const prove::properties::Property& property)
+  Watched(const scenarios::ProveMachine& machine, const std::shared_ptr<const scenarios::BoundPlant>& plant,
+          const prove::properties::Property& property)
       : machine_(machine),
         program_(machine.compilation.program),
         simulator_(program_),
         control_(program_, *machine.compilation.dialect, simulator_, scenarios::StubOf(machine.compilation)),
         clock_(program_, {&simulator_}),
         monitor_(program_, machine.version.cells, {property}) {
+    if (plant) control_.Attach(plant);
     clock_.before_period = [this](uint32_t now_ms) { control_.BeforePeriod(now_ms); };
     clock_.after_period = [this](uint32_t now_ms) {
       control_.AfterPeriod(now_ms);
@@ -74,11 +80,51 @@ class Watched {
   scenarios::PropertyMonitor monitor_;
 };
 
+std::vector<CellId> CellsAt(const dialects::Location& location, const scenarios::ProveMachine& machine) {
+  const ir::Program& program = machine.compilation.program;
+  std::vector<CellId> cells;
+  if (location.cell || location.text_input || location.absent) return cells;
+  if (!location.bits.empty()) {
+    for (const ir::Place& bit : location.bits)
+      cells.push_back(execute::CellsOf(program, machine.version.cells, bit).front());
+  } else if (execute::IsInside(program, location.place)) {
+    cells = execute::CellsOf(program, machine.version.cells, location.place);
+  }
+  return cells;
+}
+
 }  // namespace
 
+std::vector<CellId> ReadsOf(const scenarios::BoundPlant& plant, const scenarios::ProveMachine& machine) {
+  std::vector<CellId> reads;
+  for (const dialects::Location& location : plant.reads()) {
+    for (const CellId cell : CellsAt(location, machine)) {
+      if (std::ranges::find(reads, cell) == reads.end()) reads.push_back(cell);
+    }
+  }
+  return reads;
+}
+
+std::vector<std::string> DrivenBesideInputs(const scenarios::BoundPlant& plant,
+                                            const scenarios::ProveMachine& machine) {
+  const std::vector<bool> inputs = prove::machine::InputsOf(machine.version);
+  std::vector<std::string> names;
+  for (size_t i = 0; i < plant.drives().size(); ++i) {
+    const std::vector<CellId> cells = CellsAt(plant.drives()[i], machine);
+    if (!std::ranges::all_of(cells, [&](CellId cell) { return inputs[cell.index]; }))
+      names.push_back(plant.model().drives()[i].name.text);
+  }
+  return names;
+}
+
 PropertyRuns::PropertyRuns(const scenarios::ProveMachine& machine,
-                           const std::vector<std::vector<scenarios::KnownStep>>& known)
-    : machine_(machine), inputs_(prove::machine::InputsOf(machine.version)), can_be_set_(machine.version.cells.count) {
+                           const std::vector<std::vector<scenarios::KnownStep>>& known,
+                           std::shared_ptr<const scenarios::BoundPlant> plant)
+    : machine_(machine),
+      plant_(std::move(plant)),
+      inputs_(prove::machine::InputsOf(machine.version)),
+      can_be_set_(machine.version.cells.count) {
+  const ir::NameIndex names(machine.compilation.program);
   const std::vector<bool> requests = prove::machine::RequestCells(machine.version);
   std::vector<CellId> cells;
   for (uint32_t i = 0; i < inputs_.size(); ++i) {
@@ -86,6 +132,10 @@ PropertyRuns::PropertyRuns(const scenarios::ProveMachine& machine,
   }
   for (const scenarios::InputWord& word : scenarios::WordsOf(machine, cells)) {
     if (word.name.empty()) continue;
+    if (plant_) {
+      const std::optional<dialects::Location> location = machine.compilation.dialect->locate(names, word.name);
+      if (location && plant_->DriverOf(*location) != nullptr) continue;
+    }
     for (const CellId cell : word.cells) can_be_set_[cell.index] = inputs_[cell.index] || requests[cell.index];
   }
   for (const std::vector<scenarios::KnownStep>& steps : known) AddPlanOf(steps);
@@ -102,14 +152,8 @@ void PropertyRuns::AddPlanOf(const std::vector<scenarios::KnownStep>& steps) {
     if (step.power_cycle) break;
     for (const auto& [word, text] : step.words) {
       const std::optional<dialects::Location> location = dialect.locate(names, word);
-      if (!location || location->absent || location->text_input || location->cell) continue;
-      std::vector<CellId> cells;
-      if (!location->bits.empty()) {
-        for (const ir::Place& bit : location->bits)
-          cells.push_back(execute::CellsOf(program, machine_.version.cells, bit).front());
-      } else if (execute::IsInside(program, location->place)) {
-        cells = execute::CellsOf(program, machine_.version.cells, location->place);
-      }
+      if (!location) continue;
+      const std::vector<CellId> cells = CellsAt(*location, machine_);
       const std::optional<uint64_t> value = scenarios::ParseScenarioValue(text, location->place.type, dialect);
       for (size_t i = 0; value && i < cells.size(); ++i) {
         if (!can_be_set_[cells[i].index]) continue;
@@ -127,8 +171,22 @@ void PropertyRuns::AddPlanOf(const std::vector<scenarios::KnownStep>& steps) {
   if (plan.periods > 0) known_.push_back(std::move(plan));
 }
 
+PropertyRuns::Plan PropertyRuns::StretchedPlanOf(const prove::properties::PropertyRun& run, uint32_t stretch) const {
+  Plan plan;
+  for (const auto& period : run.periods) {
+    for (const auto& part : period) {
+      for (const prove::properties::InputValue& input : part) {
+        if (can_be_set_[input.cell.index]) plan.events.push_back({plan.periods + 1, input.cell, input.value});
+      }
+    }
+    plan.periods = std::min(kRunPeriods, plan.periods + stretch);
+  }
+  plan.periods = std::min(kRunPeriods, plan.periods + kShortHoldPeriods);
+  return plan;
+}
+
 uint32_t PropertyRuns::ViolatedAfter(const prove::properties::Property& property, const Plan& plan) const {
-  Watched watched(machine_, property);
+  Watched watched(machine_, plant_, property);
   size_t next = 0;
   for (uint32_t period = 1; period <= plan.periods; ++period) {
     for (; next < plan.events.size() && plan.events[next].period <= period; ++next) {
@@ -152,6 +210,11 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::properties
   };
   for (Plan plan : known_) {
     if (Late()) return std::nullopt;
+    if (violates(plan)) return plan;
+  }
+  for (const uint32_t stretch : kStretches) {
+    if (search.similar == nullptr || Late()) break;
+    Plan plan = StretchedPlanOf(*search.similar, stretch);
     if (violates(plan)) return plan;
   }
   std::vector<CellId> inputs, of_machine;  // nearest first
@@ -268,7 +331,9 @@ std::optional<prove::properties::PropertyRun> PropertyRuns::Find(const prove::pr
   if (!plan) return std::nullopt;
   deadline_ = std::chrono::steady_clock::now() + kShorteningTime;
   Shorten(*search.property, *plan);
+  if (plant_ && machine_.slices > 1) plan->periods += kSlicedPasses;
   prove::properties::PropertyRun run;
+  run.has_plant = plant_ != nullptr;
   const uint32_t parts =
       machine_.compilation.program.schedule.fast_ms == 0 ? 1 : std::max(1U, machine_.timing.fast_per_period);
   run.periods.assign(plan->periods, std::vector<std::vector<prove::properties::InputValue>>(parts));

@@ -7,10 +7,13 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "transpiler/prove/properties/check.h"
+#include "transpiler/scenarios/bound_plant.h"
 #include "transpiler/scenarios/known_runs.h"
 #include "transpiler/scenarios/property_machine.h"
 
@@ -25,11 +28,14 @@ struct RunEvent {
 
 class PropertyRuns {
  public:
-  /// `known`: what the scenarios beside the program do. The machine outlives it.
-  PropertyRuns(const scenarios::ProveMachine& machine, const std::vector<std::vector<scenarios::KnownStep>>& known);
+  /// `known`: what the scenarios beside the program do. With a plant, which may be none, the machine moves as it does
+  /// in all runs, and what it drives, or some of it, is left to it. The machine outlives it.
+  PropertyRuns(const scenarios::ProveMachine& machine, const std::vector<std::vector<scenarios::KnownStep>>& known,
+               std::shared_ptr<const scenarios::BoundPlant> plant = nullptr);
 
-  /// Those of the scenarios; those in which the inputs are set once and then nothing happens; random ones; the
-  /// scenarios with something unexpected in the middle. Ends with the first violation, or the time.
+  /// Those of the scenarios; what a similar run sets, at several speeds; those in which the inputs are set once and
+  /// then nothing happens; random ones; the scenarios with something unexpected in the middle. Ends with the first
+  /// violation, or the time.
   std::optional<prove::properties::PropertyRun> Find(const prove::properties::RunSearch& search);
 
  private:
@@ -40,6 +46,8 @@ class PropertyRuns {
   };
 
   void AddPlanOf(const std::vector<scenarios::KnownStep>& steps);
+  /// What the run sets, with `stretch` periods for each of its own, and a wait at the end.
+  Plan StretchedPlanOf(const prove::properties::PropertyRun& run, uint32_t stretch) const;
   bool Late() const;
   /// The period after which the property is violated in this run; 0: in none of its periods, or it is late.
   uint32_t ViolatedAfter(const prove::properties::Property& property, const Plan& plan) const;
@@ -49,10 +57,16 @@ class PropertyRuns {
   bool Try(const prove::properties::Property& property, Plan& plan, Plan shorter) const;
 
   const scenarios::ProveMachine& machine_;
+  std::shared_ptr<const scenarios::BoundPlant> plant_;
   std::vector<Plan> known_;
   std::vector<bool> inputs_;      // by cell
   std::vector<bool> can_be_set_;  // by cell: it is an input or a request, and has a name in scenarios
   std::chrono::steady_clock::time_point deadline_;
 };
+
+/// Where the plant reads and drives: cells of memory, each once. Ports of the control have none.
+std::vector<execute::CellId> ReadsOf(const scenarios::BoundPlant& plant, const scenarios::ProveMachine& machine);
+/// What the plant drives beside inputs, as its file names it: a proof for all inputs says nothing of that.
+std::vector<std::string> DrivenBesideInputs(const scenarios::BoundPlant& plant, const scenarios::ProveMachine& machine);
 
 }  // namespace plcxx::review::properties

@@ -20,12 +20,13 @@ using execute::CellId;
 std::string Scalar(const std::string& text) { return yaml::YamlWord(text, "_./"); }
 
 std::string Heading(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
-                    const prove::properties::Property& property, const std::string& directory) {
+                    const prove::properties::Property& property, const scenarios::BoundPlant* plant,
+                    const std::string& directory) {
   const std::string text = property.kind == prove::properties::PropertyKind::kNeverStuck
                                ? "# A run behind which no inputs move the output in time.\n"
                                : "# A run that violates the property: it passes when the program has been repaired.\n";
-  return text + scenarios::ScenarioHeading(machine.compilation, request, directory) + "properties:\n- " +
-         Scalar(property.text) + "\n";
+  return text + scenarios::ScenarioHeading(machine.compilation, request, directory) +
+         scenarios::PlantHeading(plant, directory) + "properties:\n- " + Scalar(property.text) + "\n";
 }
 
 /// The steps of the run; false: an input has no name.
@@ -116,7 +117,7 @@ PropertyScenario MakePropertyScenario(const scenarios::ProveMachine& machine,
                                       const prove::properties::PropertyResult& result, const ScenarioPlace& place) {
   PropertyScenario scenario;
   const bool is_stuck = property.kind == prove::properties::PropertyKind::kNeverStuck;
-  scenario.yaml = Heading(machine, request, property, place.directory);
+  scenario.yaml = Heading(machine, request, property, result.run->has_plant ? place.plant : nullptr, place.directory);
   if (!WriteSteps(machine, *result.run, scenario)) {
     scenario.reason = "an input has no name that a scenario can set";
     return scenario;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "transpiler/prove/properties/check.h"
+#include "transpiler/scenarios/bound_plant.h"
 #include "transpiler/scenarios/property_machine.h"
 
 namespace plcxx::review::properties {
@@ -17,6 +18,8 @@ struct PropertyScenario {
 struct ScenarioPlace {
   std::string directory;  // where it will stand: its sources are named from there
   std::string name;       // of the file
+  /// That of the runs that have one; may be null where none has.
+  const scenarios::BoundPlant* plant = nullptr;
 };
 
 /// The scenario of a violation: it fails as long as the property is violated, and passes when the program is repaired.
