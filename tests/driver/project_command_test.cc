@@ -51,6 +51,31 @@ TEST_F(ProjectCommand, EveryCommandFindsIt) {
   EXPECT_THAT(work_.Read("saw.d"), AllOf(HasSubstr("plcxx.yaml"), HasSubstr("lathe.plc")));
 }
 
+// What only live and scenarios would say otherwise, to who runs them.
+TEST_F(ProjectCommand, CheckLooksAtThePlantAndThePanelThatItNames) {
+  work_.Write("plcxx.yaml",
+              "name: saw\ndialect: nc110\nsources: lathe.plc\noptions: {clo: [20, 2]}\nplant: p.yaml\npanel: q.yaml\n");
+  work_.Write("p.yaml", "elements:\n- switch: {input: I0A1, follows: U4A0}\n");
+  work_.Write("q.yaml", "groups:\n- title: All\n  controls:\n  - button: {text: Go, input: I0A0}\n");
+  EXPECT_EQ(work_.Run("check", "", "", "sub").errors, "saw: no errors, no warnings\n");
+  work_.Write("p.yaml", "elements:\n- switch: {input: I0A1, follows: U4B9}\n");
+  work_.Write("q.yaml", "groups:\n- title: All\n  controls:\n  - buton: {text: Go, input: I0A0}\n");
+  const Ran wrong = work_.Run("check");
+  EXPECT_EQ(wrong.code, 2) << wrong;
+  EXPECT_THAT(wrong.errors, AllOf(HasSubstr("p.yaml:2:34: "), HasSubstr("U4B9"), HasSubstr("help: "),
+                                  HasSubstr("q.yaml:4:"), HasSubstr("buton"), Not(HasSubstr("no errors"))));
+  work_.Write("p.yaml", "elements:\n- switch: {input: I0A0, follows: U4A0}\n");
+  work_.Write("q.yaml", "groups:\n- title: All\n  controls:\n  - button: {text: Go, input: I0A0}\n");
+  const Ran driven = work_.Run("check");
+  EXPECT_EQ(driven.code, 2) << driven;
+  EXPECT_THAT(driven.errors, AllOf(HasSubstr("q.yaml:4:"), HasSubstr("p.yaml:2"))) << driven;
+  std::filesystem::remove(work_.Path("p.yaml"));
+  EXPECT_THAT(work_.Run("check").errors, HasSubstr("p.yaml"));
+  work_.Write("p.yaml", "elements: 1\n");
+  work_.Write("lathe.plc", "U4A0=\n$\n");
+  EXPECT_EQ(work_.Run("check").code, 1);
+}
+
 TEST_F(ProjectCommand, TheCommandLineComesFirst) {
   EXPECT_THAT(work_.Run("sim --cycles 2 --set clo=10,2").errors, HasSubstr("20 ms simulated"));
   work_.Write("other.plc", "$\nU4A5=I0A5\n");

@@ -8,6 +8,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/plant_choice.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/terminal.h"
@@ -23,7 +24,7 @@ constexpr const char* kCheckFooter = R"(Examples:
   plcxx check main.plc --diagnostics=sarif > main.sarif
   plcxx check --write-baseline         an old program: from now on only new warnings are shown
 
-Text goes to standard error, JSON and SARIF to standard output. plcxx explain CODE tells more about a message.
+The plant and the panel that plcxx.yaml names are looked at, too. Text goes to standard error, JSON and SARIF to standard output. plcxx explain CODE tells more about a message.
 plcxx emit --help lists what --set takes.
 Exit codes: 0 no errors, 1 the program has errors, 2 wrong use, 3 a fault of plcxx.)";
 
@@ -63,6 +64,14 @@ int WriteBaseline(const CommonOptions& options, const compilation::CompilationRe
   return kDone;
 }
 
+/// Whether the plant and the panel that plcxx.yaml names are files of this program; what is wrong has been printed.
+bool CheckMachine(const CommonOptions& options, const compilation::Compilation& compilation) {
+  if (!options.program || !compilation.ok() || !compilation.has_program) return true;
+  const auto plant = ChoosePlant("", options, compilation);
+  const auto panel = ChoosePanel("", options, compilation, plant ? plant->get() : nullptr);
+  return plant && panel;
+}
+
 int RunCheck(const CheckSettings& settings) {
   const CommonOptions& options = settings.common;
   std::optional<compilation::CompilationRequest> request = MakeRequest(options);
@@ -78,8 +87,10 @@ int RunCheck(const CheckSettings& settings) {
   if (settings.preemptive) static_cast<void>(compilation::CheckPreemptive(compilation));
   progress.Clear();
   PrintDiagnostics(compilation, MessagesOf(options));
+  const bool is_machine_right = CheckMachine(options, compilation);
   // The text of diagnostics ends with their count; where there are none, one line says that the check was done.
-  if (compilation.diagnostics.all().empty() && MessagesOf(options).format == DiagnosticsFormat::kText) {
+  if (is_machine_right && compilation.diagnostics.all().empty() &&
+      MessagesOf(options).format == DiagnosticsFormat::kText) {
     std::cerr << compilation.name << ": " << CountText(compilation.diagnostics) << '\n';
   }
   if (MessagesOf(options).format == DiagnosticsFormat::kText && accepted.warnings + accepted.stale > 0) {
@@ -87,7 +98,7 @@ int RunCheck(const CheckSettings& settings) {
     if (accepted.stale > 0) std::cerr << ", " << accepted.stale << " more that are gone: --write-baseline drops them";
     std::cerr << '\n';
   }
-  return ExitCodeOf(compilation);
+  return is_machine_right ? ExitCodeOf(compilation) : kWrongUse;
 }
 
 }  // namespace
