@@ -228,6 +228,55 @@ TEST(Search, RunsBesideEachOtherGoThroughACode) {
   EXPECT_TRUE(shows(Stimuli(whole.begin(), whole.begin() + difference.steps), Clock::time_point::max()));
 }
 
+/// A machine at work behind a code that nobody guesses: one input near the change shows it, held for two scans. From
+/// each moment that the scenario comes by every such input is changed in a run of its own.
+TEST(Search, OneInputIsChangedAtEachMomentThatWasSeen) {
+  const testing_support::TemporaryDirectory old_directory, new_directory;
+  const auto program = [](const std::string& interlock) {
+    return "$\nU100K0 = [W0A0=157] + U100K0\nU100K1 = U100K0*[W0A0=46] + U100K1\nU100K2 = U100K1*[W0A0=211]\n"
+           "U100K3 = I1A7\nU100K4 = U100K3*I1A7\nU4A0 = U100K4*U100K2" +
+           interlock + "\n";
+  };
+  old_directory.Write("p.plc", program("*I1A0"));
+  new_directory.Write("p.plc", program(""));
+  old_directory.Write("s.yaml",
+                      "dialect: nc110\nsources: [p.plc]\nsteps:\n- set: {W0A0: 157}\n- run: {slow: 1}\n"
+                      "- set: {W0A0: 46}\n- run: {slow: 1}\n- set: {W0A0: 211}\n- run: {slow: 1}\n");
+  const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
+    compilation::CompilationRequest request;
+    request.sources = {"p.plc"};
+    request.base_directory = directory.path().string();
+    request.dialect = "nc110";
+    return MakeDiffSide(name, request);
+  };
+  const DiffSide old_side = side("old", old_directory), new_side = side("new", new_directory);
+  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
+                                new_version = prove::machine::MakeVersion(new_side.whole);
+  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, {});
+  const CellWords words(old_version, old_side.compilation);
+  std::vector<execute::CellId> cells, sought;
+  for (uint32_t i = 0; i < old_version.cells.count; ++i) {
+    const execute::CellId cell(i);
+    if (!match.new_of_old[i].valid() || !prove::machine::IsState(old_version, cell)) continue;
+    cells.push_back(cell);
+    if (words.WordOf(cell).name == "U4A0") sought.push_back(cell);
+  }
+  ASSERT_EQ(sought.size(), 1U);
+  DirectedSearch search(old_side, new_side, old_version, new_version, match, words, cells);
+  RandomRuns found;
+  using Clock = std::chrono::steady_clock;
+  search.RunScenarios(Clock::now() + std::chrono::seconds(20), found);
+  ASSERT_FALSE(found.difference_of.contains(sought.front()));
+  // A single pass over the moments, whatever the time.
+  search.RunWideFromMoments(sought, Clock::now() + std::chrono::seconds(60), found);
+  ASSERT_TRUE(found.difference_of.contains(sought.front()));
+  const RandomRuns::Difference& difference = found.difference_of.at(sought.front());
+  const Stimuli& whole = found.runs[difference.run];
+  const Shortener::Shows shows = ShowsDifference(old_side, new_side, old_version, new_version, {sought.front()},
+                                                 {match.new_of_old[sought.front().index]});
+  EXPECT_TRUE(shows(Stimuli(whole.begin(), whole.begin() + difference.steps), Clock::time_point::max()));
+}
+
 /// Two contactors; in step 3 of a counter the second one is on. Steps begin behind a code that nobody guesses.
 std::string Contactors(const std::string& interlock, const std::string& also) {
   return "$\nU100K0 = [W0A0=157] + U100K0\nU100K1 = U100K0*[W0A0=46] + U100K1\nC20I(5) = U100K1*I0A0*/C20I\n"

@@ -1,7 +1,6 @@
 #include "transpiler/prove/diff/wide_inputs.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "transpiler/symbolic/terms/cone.h"
 
@@ -64,6 +63,11 @@ WideInputs::WideInputs(const UnrolledVersions& versions, const terms::Terms& ter
   AddConjunctions(terms, old_relation, old_cone, of_old_);
   AddConjunctions(terms, new_relation, new_cone, of_new_);
   Begin();
+}
+
+std::optional<uint32_t> WideInputs::NumberOf(execute::CellId old_cell) const {
+  const auto at = of_old_.find(old_cell.index);
+  return at == of_old_.end() ? std::nullopt : std::optional(at->second);
 }
 
 /// What comparisons with constants read.

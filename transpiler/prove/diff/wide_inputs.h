@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,7 @@ class WideInputs {
              const machine::Relation& new_relation, const std::vector<execute::CellId>& cells);
 
   const std::vector<Input>& inputs() const { return inputs_; }
+  std::optional<uint32_t> NumberOf(execute::CellId old_cell) const;
   /// New habits for all lanes; those of one word of a plane (terms::Plane) share one.
   void Begin();
   void ChangeHabits(uint32_t word);

@@ -44,7 +44,7 @@ std::vector<execute::CellId> DependedOn(const terms::Terms& terms, const machine
 
 WideMachine::WideMachine(const terms::Terms& terms, machine::Relation& relation,
                          const std::vector<execute::CellId>& cells, const machine::Transition& init)
-    : first_plane_(relation.version().cells.count, kNowhere), width_(relation.version().cells.count) {
+    : cells_(cells), first_plane_(relation.version().cells.count, kNowhere), width_(relation.version().cells.count) {
   const machine::Version& version = relation.version();
   for (const execute::CellId cell : cells) {
     const uint8_t width = execute::CellWidth(*version.program, execute::CellAt(*version.program, version.cells, cell));
@@ -80,6 +80,14 @@ WideMachine::WideMachine(const terms::Terms& terms, machine::Relation& relation,
 
 void WideMachine::PowerOn() { state_ = at_power_on_; }
 
+void WideMachine::Load(uint32_t word, const std::function<uint64_t(execute::CellId)>& value) {
+  for (const execute::CellId cell : cells_) {
+    const uint64_t begins = value(cell);
+    for (uint8_t i = 0; i < width_[cell.index]; ++i)
+      state_[first_plane_[cell.index] + i].words[word] = (begins >> i & 1) != 0 ? ~uint64_t{0} : 0;
+  }
+}
+
 std::span<terms::Plane> WideMachine::Planes(execute::CellId cell) {
   return {&state_[first_plane_[cell.index]], width_[cell.index]};
 }
@@ -87,10 +95,13 @@ std::span<const terms::Plane> WideMachine::Planes(execute::CellId cell) const {
   return {&state_[first_plane_[cell.index]], width_[cell.index]};
 }
 
-void WideMachine::Run(machine::Part part, uint64_t now_ms) {
+void WideMachine::Run(machine::Part part, const Times& now_ms) {
   std::optional<PartProgram>& executed = part == machine::Part::kFast ? fast_ : period_;
   if (!executed) return;
-  for (uint8_t i = 0; i < kTimeWidth; ++i) state_[now_plane_ + i].Fill((now_ms >> i & 1) != 0);
+  for (uint8_t i = 0; i < kTimeWidth; ++i) {
+    state_[now_plane_ + i] =
+        terms::MakePlane([&](uint32_t word) { return (now_ms[word] >> i & 1) != 0 ? ~uint64_t{0} : 0; });
+  }
   executed->program.Run(state_);
   // A cell that keeps another one's value is that one's planes: all are read before any is written.
   next_.clear();

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,10 +25,14 @@ class WideMachine {
   WideMachine(const terms::Terms& terms, machine::Relation& relation, const std::vector<execute::CellId>& cells,
               const machine::Transition& init);
 
+  /// A time for the lanes of each word of a plane.
+  using Times = std::array<uint64_t, terms::Plane::kWords>;
+
   void PowerOn();
-  /// One part of the schedule, at a time that all lanes have. Where fast and slow part have no times of their own, the
-  /// period is all.
-  void Run(machine::Part part, uint64_t now_ms);
+  /// The lanes of one word begin with the values that `value` gives.
+  void Load(uint32_t word, const std::function<uint64_t(execute::CellId)>& value);
+  /// One part of the schedule. Where fast and slow part have no times of their own, the period is all.
+  void Run(machine::Part part, const Times& now_ms);
 
   bool Has(execute::CellId cell) const { return cell.valid() && first_plane_[cell.index] != kNowhere; }
   /// As many as the cell is wide; of a cell that it has.
@@ -43,6 +48,7 @@ class WideMachine {
     std::vector<execute::CellId> written;  // by root
   };
 
+  std::vector<execute::CellId> cells_;
   std::vector<uint32_t> first_plane_;  // by cell
   std::vector<uint8_t> width_;         // by cell
   std::vector<terms::Plane> state_, at_power_on_, next_;

@@ -138,7 +138,8 @@ void WideRuns::PowerOn() {
   old_machine_->PowerOn();
   new_machine_->PowerOn();
   history_.clear();
-  now_ms_ = 0;
+  begins_.clear();
+  now_ms_ = {};
 }
 
 void WideRuns::Set(const WideSet& set) {
@@ -152,12 +153,18 @@ void WideRuns::Set(const WideSet& set) {
   store(*new_machine_, input.new_cell);
 }
 
-void WideRuns::Advance(Period& period) {
-  for (const WideSet& set : period.sets) Set(set);
+/// Some of them, in some lanes.
+void WideRuns::AddDoneRequests(Period& period) {
   for (const execute::CellId request : requests_) {
     terms::Plane where;
     for (uint64_t& word : where.words) word = random_.Next() & random_.Next();
     period.done.emplace_back(request, where);
+  }
+}
+
+void WideRuns::Advance(const Period& period) {
+  for (const WideSet& set : period.sets) Set(set);
+  for (const auto& [request, where] : period.done) {
     for (WideMachine* const machine : {&*old_machine_, &*new_machine_}) {
       const execute::CellId cell = machine == &*old_machine_ ? request : versions_.match.new_of_old[request.index];
       if (!machine->Has(cell)) continue;
@@ -166,15 +173,18 @@ void WideRuns::Advance(Period& period) {
     }
   }
   const ir::Schedule& schedule = versions_.old_version.program->schedule;
-  const uint64_t begin_ms = now_ms_;
-  now_ms_ += schedule.period_ms;
+  const WideMachine::Times begin_ms = now_ms_;
+  for (uint64_t& now : now_ms_) now += schedule.period_ms;
   const bool ends = schedule.period_ends_its_time || schedule.fast_ms != 0;
   for (const Which which : {Which::kOld, Which::kNew}) {
     WideMachine& machine = which == Which::kOld ? *old_machine_ : *new_machine_;
     const machine::Version& version = which == Which::kOld ? versions_.old_version : versions_.new_version;
     const uint32_t fast_ms = version.program->schedule.fast_ms;
-    for (uint32_t ms = fast_ms; fast_ms != 0 && ms <= schedule.period_ms; ms += fast_ms)
-      machine.Run(machine::Part::kFast, begin_ms + ms);
+    for (uint32_t ms = fast_ms; fast_ms != 0 && ms <= schedule.period_ms; ms += fast_ms) {
+      WideMachine::Times now = begin_ms;
+      for (uint64_t& one : now) one += ms;
+      machine.Run(machine::Part::kFast, now);
+    }
     machine.Run(machine::Part::kPeriod, ends ? now_ms_ : begin_ms);
   }
 }
@@ -224,6 +234,10 @@ void WideRuns::Select(const std::vector<uint32_t>& open, const std::vector<Seen>
   }
   // Not one after the other: one may be copied from a word that another one is copied to.
   for (WideMachine* const machine : {&*old_machine_, &*new_machine_}) machine->SpreadLanes(period.copy_of);
+  const WideMachine::Times before = now_ms_;
+  for (uint32_t word = 0; word < kWords; ++word) {
+    if (period.copy_of[word] != kNoLane) now_ms_[word] = before[period.copy_of[word] / 64];
+  }
   for (uint32_t word = 0; word < kWords; ++word) {
     if (random_.OneIn(4)) inputs_->ChangeHabits(word);
   }
@@ -241,6 +255,7 @@ void WideRuns::Episode(std::vector<uint32_t>& open, Time end, std::vector<Seen>&
     period.copy_of.fill(kNoLane);
     if (i != 0 && i % every == 0) Select(open, seen, period);
     period.sets = inputs_->Next(i == 0);
+    AddDoneRequests(period);
     Advance(period);
     history_.push_back(std::move(period));
     Compare(open, seen);
@@ -254,6 +269,13 @@ std::vector<uint32_t> WideRuns::PathOf(uint32_t lane, uint32_t last_period) cons
     if (history_[i].copy_of[lane / 64] != kNoLane) lane = history_[i].copy_of[lane / 64];
   }
   return path;
+}
+
+/// What an input is before a run; no value of a cell where nobody knows.
+uint64_t WideRuns::LevelAtBegin(execute::CellId cell, uint32_t lane) const {
+  if (begins_.empty()) return uint64_t{PowerOnValue(versions_.old_version, cell)};
+  const std::optional<uint32_t> number = inputs_->NumberOf(cell);
+  return number ? uint64_t{begins_[lane / 64].levels[*number]} : ~uint64_t{0};
 }
 
 Run WideRuns::RunOf(const std::vector<uint32_t>& path) const {
@@ -277,7 +299,7 @@ Run WideRuns::RunOf(const std::vector<uint32_t>& path) const {
       const bool is_kept = !versions_.old_uses.writes[cell.index] &&
                            !(one.new_cell.valid() && versions_.new_uses.writes[one.new_cell.index]);
       const auto [at, first] = level.try_emplace(cell, 0);
-      const uint64_t before = first ? uint64_t{PowerOnValue(versions_.old_version, cell)} : at->second;
+      const uint64_t before = first ? LevelAtBegin(cell, path.front()) : at->second;
       at->second = one.value;
       if (!is_kept || before != one.value) set.push_back(one);
     }
@@ -305,17 +327,23 @@ std::vector<std::vector<uint32_t>> WideRuns::Cover(const std::vector<Seen>& seen
   return paths;
 }
 
+std::vector<uint32_t> WideRuns::OpenPairs(const std::vector<execute::CellId>& sought,
+                                          const std::function<bool(execute::CellId)>& is_open) const {
+  std::vector<uint32_t> open;
+  for (const execute::CellId cell : sought) {
+    const auto pair = pair_of_.find(cell);
+    if (pair != pair_of_.end() && is_open(cell)) open.push_back(pair->second);
+  }
+  return open;
+}
+
 void WideRuns::Search(const std::vector<execute::CellId>& sought, Time end,
                       const std::function<bool(execute::CellId)>& is_open,
                       const std::function<void(const Run&, size_t shared)>& found) {
   if (!is_ready()) return;
   while (std::chrono::steady_clock::now() < end) {
-    std::vector<uint32_t> open;
-    for (const execute::CellId cell : sought) {
-      const auto pair = pair_of_.find(cell);
-      if (pair != pair_of_.end() && is_open(cell) && pairs_[pair->second].told_in_vain < kMostToldInVain)
-        open.push_back(pair->second);
-    }
+    std::vector<uint32_t> open = OpenPairs(sought, is_open);
+    std::erase_if(open, [this](uint32_t pair) { return pairs_[pair].told_in_vain >= kMostToldInVain; });
     if (open.empty()) return;
     std::vector<Seen> seen;
     Episode(open, end, seen);

@@ -3,8 +3,10 @@
 // Both versions run beside each other, lane for lane with the same inputs. A difference has to travel through other
 // statements, a period for each, and most die on the way; so now and then whole groups of lanes become copies of one
 // in which the news is nearest: what a location that has not differed yet is computed from differs there, and hardly
-// anywhere else. In: two versions, what is looked for. Out: runs from power-on. Not its job: whether the simulator and
-// the control agree; who repeats the runs sees that.
+// anywhere else. Runs begin with power-on, or with a state in which the versions were seen: there one lane for each
+// input near the change has that one changed, for a machine at work comes by most conditions but one. In: two versions,
+// what is looked for. Out: runs. Not its job: whether the simulator and the control agree; who repeats the runs sees
+// that.
 #pragma once
 
 #include <chrono>
@@ -14,11 +16,24 @@
 #include <optional>
 #include <vector>
 
+#include "transpiler/prove/diff/runs_from.h"
 #include "transpiler/prove/diff/unrolled.h"
 #include "transpiler/prove/diff/wide_inputs.h"
 #include "transpiler/prove/diff/wide_machine.h"
 
 namespace plcxx::prove::diff {
+
+/// States in which both versions were seen.
+struct WideStarts {
+  /// Where the changes go: each input alone and held for a moment, or several of them, now and then, for longer.
+  enum class Changes : uint8_t { kOneByOne, kSeveral };
+
+  size_t count = 0;
+  /// Calls `use` with one of them.
+  std::function<void(size_t start, const std::function<void(const SeenState&)>& use)> visit;
+  std::vector<execute::CellId> read;  // old cells that the changed statements read
+  Changes changes = Changes::kOneByOne;
+};
 
 class WideRuns {
  public:
@@ -36,6 +51,10 @@ class WideRuns {
   /// The first `shared` periods of a run are those of the run before it.
   void Search(const std::vector<execute::CellId>& sought, Time end, const std::function<bool(execute::CellId)>& is_open,
               const std::function<void(const Run&, size_t shared)>& found);
+  /// The same from each of the starts, once.
+  void SearchFrom(const WideStarts& starts, const std::vector<execute::CellId>& sought, Time end,
+                  const std::function<bool(execute::CellId)>& is_open,
+                  const std::function<void(const Run&, size_t start)>& found);
 
  private:
   static constexpr uint32_t kWords = terms::Plane::kWords, kLanes = terms::Plane::kLanes;
@@ -59,8 +78,25 @@ class WideRuns {
     uint32_t told_in_vain = 0;
   };
 
+  /// Where the lanes of a word begin: a start, with the values that the inputs have there.
+  struct Begin {
+    size_t start = 0;
+    uint32_t first_near = 0;      // of the inputs that are changed one by one
+    std::vector<uint8_t> levels;  // by number of the input
+  };
+
+  std::vector<uint32_t> OpenPairs(const std::vector<execute::CellId>& sought,
+                                  const std::function<bool(execute::CellId)>& is_open) const;
   void PowerOn();
-  void Advance(Period& period);
+  /// Numbers of the inputs that `read` is computed from, those of which it is computed soonest in front.
+  std::vector<uint32_t> InputsNear(std::vector<execute::CellId> read) const;
+  void BeginAt(uint32_t word, const SeenState& state);
+  /// Inputs by their numbers that get the opposite of what they are.
+  std::vector<WideSet> Opposites(const std::vector<uint32_t>& near, WideStarts::Changes changes);
+  void EpisodeFrom(const std::vector<uint32_t>& near, WideStarts::Changes changes, std::vector<uint32_t>& open,
+                   Time end, std::vector<Seen>& seen);
+  void AddDoneRequests(Period& period);
+  void Advance(const Period& period);
   void Set(const WideSet& set);
   /// What of `open` (numbers of pairs_) differs now, in which lanes.
   void Compare(std::vector<uint32_t>& open, std::vector<Seen>& seen);
@@ -69,6 +105,7 @@ class WideRuns {
   void Episode(std::vector<uint32_t>& open, Time end, std::vector<Seen>& seen);
   /// The lane in which a lane was in each period up to the last one: copies are followed back.
   std::vector<uint32_t> PathOf(uint32_t lane, uint32_t last_period) const;
+  uint64_t LevelAtBegin(execute::CellId cell, uint32_t lane) const;
   Run RunOf(const std::vector<uint32_t>& path) const;
   /// Paths in which all that was seen is seen; those that begin alike come one after the other.
   std::vector<std::vector<uint32_t>> Cover(const std::vector<Seen>& seen) const;
@@ -85,7 +122,8 @@ class WideRuns {
   std::map<execute::CellId, uint32_t> pair_of_;  // by old cell
   std::vector<terms::Plane> differences_;        // by pair, after the last period
   std::vector<Period> history_;                  // of the episode
-  uint64_t now_ms_ = 0;
+  std::vector<Begin> begins_;                    // of the episode, by word; none: power-on
+  WideMachine::Times now_ms_{};
   uint32_t episodes_ = 0;
   terms::Random random_{0xB5026F5AA96619E9};
 };

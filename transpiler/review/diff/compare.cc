@@ -108,7 +108,8 @@ constexpr int kMostExamples = 60;
 constexpr size_t kMostChangesShown = 50;  // statements of which the line is sought that was changed
 constexpr uint64_t kExampleShare = 10;    // of the time: for shorter runs
 constexpr uint64_t kLastShare = 6;        // of the time: left for that, and for showing them
-constexpr uint64_t kScenariosShare = 5, kQuickSearchShare = 40, kSearchShare = 6;  // of the time: for runs
+constexpr uint64_t kScenariosShare = 5, kQuickSearchShare = 40, kQuickWideShare = 10,
+                   kSearchShare = 6;  // of the time: for runs
 constexpr uint64_t kSlicesShare = 6;  // of the time, where the slow part is in slices: for what is seen between them
 
 bool IsSliced(const ir::Program& program) {
@@ -269,8 +270,11 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
               options, runs);
     };
     // To begin with it executes both versions once more, which is worth it while most of the time is left.
+    const auto is_worth_executing = [&] { return compare_end - Clock::now() > (Clock::now() - begin) / 4; };
     const auto run_wide = [&](Clock::time_point wide_end) {
-      if (compare_end - Clock::now() > (Clock::now() - begin) / 4) search->RunWide(open(), wide_end, runs);
+      if (!is_worth_executing()) return;
+      search->RunWideFromMoments(open(), Clock::now() + (wide_end - Clock::now()) / 2, runs);
+      search->RunWide(open(), wide_end, runs);
     };
     switch (effort) {
       case Effort::kScenarios:
@@ -278,6 +282,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
         break;
       case Effort::kQuick:
         run_both(sought.all, compare_end);
+        if (is_worth_executing()) search->RunWideFromMoments(open(), part(kQuickWideShare), runs);
         search->Run(open(), part(kQuickSearchShare), runs);
         break;
       case Effort::kThorough:

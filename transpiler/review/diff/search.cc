@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 
 #include "transpiler/prove/diff/runs_from.h"
 #include "transpiler/prove/machine/transition.h"
@@ -27,6 +28,12 @@ uint64_t Mixed(uint64_t hash, uint64_t value) {
 
 }  // namespace
 
+void DirectedSearch::EndAt(Time end) {
+  end_ = end;
+  old_machine_.EndAt(end);
+  new_machine_.EndAt(end);
+}
+
 void DirectedSearch::GoTo(const Moment& moment) {
   old_machine_.Restore(moment.old_saved);
   new_machine_.Restore(moment.new_saved);
@@ -46,8 +53,8 @@ DirectedSearch::Moment DirectedSearch::Here() const {
 }
 
 void DirectedSearch::Keep(Kept why) {
-  std::vector<Moment>& kept = why == Kept::kDiffers ? differing_ : why == Kept::kNew ? new_ : between_;
-  Moment moment = Here();
+  Moments& kept = why == Kept::kDiffers ? differing_ : why == Kept::kNew ? new_ : between_;
+  auto moment = std::make_shared<Moment>(Here());
   if (kept.size() < most_moments_ / 3) {
     kept.push_back(std::move(moment));
   } else {
@@ -58,12 +65,10 @@ void DirectedSearch::Keep(Kept why) {
 
 void DirectedSearch::GoBack() {
   const uint64_t which = random_.Next() % 8;
-  const std::vector<Moment>& kept = which < 3 && !differing_.empty() ? differing_
-                                    : which < 6 && !new_.empty()     ? new_
-                                                                     : between_;
+  const Moments& kept = which < 3 && !differing_.empty() ? differing_ : which < 6 && !new_.empty() ? new_ : between_;
   // The last ones are the news.
   const size_t count = random_.OneIn(2) ? kept.size() : std::min<size_t>(kept.size(), 8);
-  GoTo(kept[kept.size() - 1 - random_.Next() % count]);
+  GoTo(*kept[kept.size() - 1 - random_.Next() % count]);
 }
 
 void DirectedSearch::Compare(RandomRuns& result) {
@@ -229,11 +234,9 @@ Stimulus DirectedSearch::Unexpected() {
 }
 
 void DirectedSearch::RunScenarios(Time end, RandomRuns& result) {
-  end_ = end;
-  old_machine_.EndAt(end);
-  new_machine_.EndAt(end);
+  EndAt(end);
   for (size_t scenario = 0; scenario < known_.size() && !Late(); ++scenario) {
-    GoTo(between_.front());
+    GoTo(*between_.front());
     scenario_ = scenario;
     for (const Stimulus& stimulus : known_[scenario]) {
       ++next_step_;
@@ -244,14 +247,12 @@ void DirectedSearch::RunScenarios(Time end, RandomRuns& result) {
 }
 
 void DirectedSearch::Follow(const std::vector<prove::diff::Run>& computed, Time end, RandomRuns& result) {
-  end_ = end;
-  old_machine_.EndAt(end);
-  new_machine_.EndAt(end);
+  EndAt(end);
   constexpr size_t kMostFollowed = 30;
   for (; followed_ < std::min(computed.size(), kMostFollowed) && !Late(); ++followed_) {
     // As whole passes, and as time: where the slow part is in slices they are not the same.
     for (const bool by_time : {false, true}) {
-      GoTo(between_.front());
+      GoTo(*between_.front());
       for (const std::vector<SetCell>& inputs : computed[followed_].periods) {
         Stimulus stimulus{.inputs = inputs, .words = {}};
         (by_time ? stimulus.ms : stimulus.slow) = by_time ? old_side_.compilation.program.schedule.period_ms : 1;
@@ -265,9 +266,9 @@ void DirectedSearch::ForEachSeenState(
     prove::diff::Which which, const std::function<void(const prove::invariants::CellValues&, uint64_t now_ms)>& visit) {
   const bool is_old = which == prove::diff::Which::kOld;
   DiffMachine& machine = is_old ? old_machine_ : new_machine_;
-  for (const std::vector<Moment>* const kept : {&between_, &new_, &differing_}) {
-    for (const Moment& moment : *kept) {
-      machine.Restore(is_old ? moment.old_saved : moment.new_saved);
+  for (const Moments* const kept : {&between_, &new_, &differing_}) {
+    for (const std::shared_ptr<Moment>& moment : *kept) {
+      machine.Restore(is_old ? moment->old_saved : moment->new_saved);
       visit([&machine](CellId cell) { return machine.ValueOf(cell); }, machine.time_ms());
     }
   }
@@ -276,12 +277,12 @@ void DirectedSearch::ForEachSeenState(
 DirectedSearch::Moment* DirectedSearch::NextToAsk(bool is_many) {
   // What differs leads to what is computed from it: the last moments are the farthest.
   if (is_many && random_.OneIn(2)) {
-    const auto last = std::find_if(differing_.rbegin(), differing_.rend(), [](const Moment& m) { return !m.is_asked; });
-    if (last != differing_.rend()) return &*last;
+    const auto last = std::find_if(differing_.rbegin(), differing_.rend(), [](const auto& m) { return !m->is_asked; });
+    if (last != differing_.rend()) return last->get();
   }
-  for (std::vector<Moment>* const kept : {&new_, &between_, &differing_}) {
-    const auto found = std::ranges::find(*kept, false, &Moment::is_asked);
-    if (found != kept->end()) return &*found;
+  for (const Moments* const kept : {&new_, &between_, &differing_}) {
+    const auto found = std::ranges::find_if(*kept, [](const auto& m) { return !m->is_asked; });
+    if (found != kept->end()) return found->get();
   }
   return nullptr;
 }
@@ -337,11 +338,10 @@ void DirectedSearch::Repeat(const prove::diff::Run& run, RandomRuns& result) {
   }
 }
 
-void DirectedSearch::RunWide(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
-  end_ = end;
-  old_machine_.EndAt(end);
-  new_machine_.EndAt(end);
+prove::diff::WideRuns& DirectedSearch::Wide() {
   if (!wide_) {
+    // What was not executed in time would be of no use later either: a little more is better than nothing for good.
+    const Time now = std::chrono::steady_clock::now();
     wide_.emplace(
         prove::diff::UnrolledVersions{.old_version = old_version_,
                                       .new_version = new_version_,
@@ -349,17 +349,58 @@ void DirectedSearch::RunWide(const std::vector<CellId>& sought, Time end, Random
                                       .old_uses = old_uses_,
                                       .new_uses = new_uses_,
                                       .requests = prove::diff::MatchedRequests(old_version_, new_version_, match_)},
-        cells_, end);
+        cells_, end_ + (end_ - now) / 2);
   }
+  return *wide_;
+}
+
+void DirectedSearch::RunWideFromMoments(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
+  EndAt(end);
+  using prove::diff::WideStarts;
+  WideStarts starts{.visit = {}, .read = read_by_changed_};
+  // What differs already, and the news: what was kept last is the farthest.
+  Moments moments;
+  const auto take = [&](bool is_again) {
+    for (const Moments* const kept : {&differing_, &new_, &between_}) {
+      std::copy_if(kept->rbegin(), kept->rend(), std::back_inserter(moments),
+                   [&](const auto& moment) { return is_again || !moment->is_spread; });
+    }
+  };
+  take(false);
+  if (moments.empty()) {
+    take(true);
+    starts.changes = WideStarts::Changes::kSeveral;
+    for (size_t i = moments.size(); i > 1; --i) std::swap(moments[i - 1], moments[(random_.Next() >> 20) % i]);
+  }
+  starts.count = moments.size();
+  starts.visit = [&](size_t start, const std::function<void(const prove::diff::SeenState&)>& use) {
+    GoTo(*moments[start]);
+    moments[start]->is_spread = true;
+    use({.value =
+             [this](prove::diff::Which which, CellId cell) {
+               return (which == prove::diff::Which::kOld ? old_machine_ : new_machine_).ValueOf(cell);
+             },
+         .now_ms = old_machine_.time_ms()});
+  };
+  Wide().SearchFrom(
+      starts, sought, end, [&result](CellId cell) { return !result.difference_of.contains(cell); },
+      [&](const prove::diff::Run& run, size_t start) {
+        GoTo(*moments[start]);
+        Repeat(run, result);
+      });
+}
+
+void DirectedSearch::RunWide(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
+  EndAt(end);
   // Runs that begin alike are repeated from where they part, or a little before.
   constexpr size_t kPeriodsBetweenMoments = 8;
   std::vector<Moment> moments;  // one for so many periods each
-  wide_->Search(
+  Wide().Search(
       sought, end, [&result](CellId cell) { return !result.difference_of.contains(cell); },
       [&](const prove::diff::Run& run, size_t shared) {
         const size_t kept = std::min(moments.size(), shared / kPeriodsBetweenMoments + 1);
         moments.erase(moments.begin() + static_cast<std::ptrdiff_t>(kept), moments.end());
-        GoTo(moments.empty() ? between_.front() : moments.back());
+        GoTo(moments.empty() ? *between_.front() : moments.back());
         size_t period = moments.empty() ? 0 : (moments.size() - 1) * kPeriodsBetweenMoments;
         for (; period < run.periods.size(); ++period) {
           if (period == moments.size() * kPeriodsBetweenMoments) moments.push_back(Here());
@@ -369,9 +410,7 @@ void DirectedSearch::RunWide(const std::vector<CellId>& sought, Time end, Random
 }
 
 void DirectedSearch::Run(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
-  end_ = end;
-  old_machine_.EndAt(end);
-  new_machine_.EndAt(end);
+  EndAt(end);
   const auto is_open = [&](CellId cell) { return !result.difference_of.contains(cell); };
   size_t seen = result.difference_of.size();
   using Clock = std::chrono::steady_clock;

@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -41,6 +42,9 @@ class DirectedSearch {
   void Run(const std::vector<execute::CellId>& sought, Time end, RandomRuns& result);
   /// The same with runs that were seen to differ in many lanes at once (prove/diff/wide_runs.h), each repeated here.
   void RunWide(const std::vector<execute::CellId>& sought, Time end, RandomRuns& result);
+  /// The same from the moments that are kept: where that was not done yet each input near the change is changed there,
+  /// one by one, and held; then several are, of all moments.
+  void RunWideFromMoments(const std::vector<execute::CellId>& sought, Time end, RandomRuns& result);
   /// The moments that are kept, as one version saw them.
   void ForEachSeenState(prove::diff::Which which,
                         const std::function<void(const prove::invariants::CellValues&, uint64_t now_ms)>& visit);
@@ -60,7 +64,9 @@ class DirectedSearch {
     uint64_t periods = 0;
     size_t scenario = 0, next_step = 0;  // of the known runs, of which it is the continuation
     bool is_asked = false;               // what has to be set there
+    bool is_spread = false;              // each input near the change was changed there
   };
+  using Moments = std::vector<std::shared_ptr<Moment>>;
   /// Why a moment is kept.
   enum class Kept : uint8_t { kDiffers, kNew, kBetweenSteps };
 
@@ -69,6 +75,8 @@ class DirectedSearch {
   void SetKnown(const std::pair<std::string, std::string>& word, Stimulus& stimulus) const;
   void MakePlan(const std::vector<execute::CellId>& cells);
   void FindInputs();
+  void EndAt(Time end);
+  prove::diff::WideRuns& Wide();
   bool Late() const { return std::chrono::steady_clock::now() >= end_; }
   void GoTo(const Moment& moment);
   Moment Here() const;
@@ -110,7 +118,7 @@ class DirectedSearch {
   std::vector<uint32_t> waits_ms_;
   std::vector<Stimuli> known_;
   std::set<uint64_t> signatures_;
-  std::vector<Moment> differing_, new_, between_;
+  Moments differing_, new_, between_;
   Stimuli stimuli_;  // from power-on until now
   uint64_t periods_ = 0;
   size_t scenario_ = 0, next_step_ = 0;
