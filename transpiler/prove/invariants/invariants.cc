@@ -107,7 +107,8 @@ bool InvariantFinder::Finder::ExecuteParts() {
   const machine::PartEnvironment environment{.initial = [this](execute::CellId cell) { return Current(cell); },
                                              .now = now_,
                                              .observed = {},
-                                             .is_late = [this] { return Late(); }};
+                                             .is_late = [this] { return Late(); },
+                                             .short_loops = search_.short_loops};
   const auto is_executed = [this](const machine::Transition& transition) {
     is_done_ = is_done_ || (!transition.refusal.empty() && !Late());
     return transition.refusal.empty();

@@ -98,6 +98,8 @@ struct Environment {
   /// Not 0: a loop of which it is not known after so many rounds whether it goes on becomes an unknown function of what
   /// it reads (summary.h): two loops that are written alike are equal then, nothing else is known of them.
   uint32_t summarize_after = 0;
+  /// Except a proven loop that executes at most so many instructions in all its rounds: it is unrolled to its bound.
+  uint32_t unroll_up_to = 0;
   /// Whether a condition holds in the one run that is followed; empty: all runs are. Of a loop that would become an
   /// unknown function the rounds of this run are executed, and only what further rounds would do is unknown.
   std::function<bool(terms::TermId condition)> holds;

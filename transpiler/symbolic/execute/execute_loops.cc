@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "transpiler/ir/builder.h"
 #include "transpiler/support/fnv1a.h"
 #include "transpiler/symbolic/execute/executor.h"
 #include "transpiler/symbolic/execute/summary.h"
@@ -14,6 +15,16 @@ constexpr uint8_t kRoundWidth = 32;
 constexpr uint64_t kMostCounted = 0xFFFFFFFF;
 constexpr size_t kMostSamples = 16;  // heads of one loop that are looked at
 
+/// Whether all rounds of a loop together have at most `most` instructions.
+bool IsUnrolled(const ir::Program& program, const ir::Loop& loop, uint32_t most) {
+  if (loop.bound > most) return false;
+  uint64_t insts = 0;
+  for (const ir::RegionId region : {loop.condition, loop.body, loop.step}) {
+    if (region.valid()) ir::ForEachInst(program, region, [&insts](ir::InstId) { ++insts; });
+  }
+  return insts * loop.bound <= most;
+}
+
 }  // namespace
 
 void Executor::ExecuteLoop(ir::InstId id, const ir::Inst& inst) {
@@ -22,19 +33,20 @@ void Executor::ExecuteLoop(ir::InstId id, const ir::Inst& inst) {
     if (policy->heads != nullptr && sampling_ == 0) {
       ExecuteByHead(id, loop);
     } else {
-      UnrollLoop(id, loop, nullptr);
+      UnrollLoop(id, loop, 0, nullptr);
     }
     return;
   }
   const uint32_t most = memory_.environment().summarize_after;
-  const bool known = loop.kind == ir::LoopBound::kProven && loop.bound <= most;
-  if (most == 0 || known) {
-    UnrollLoop(id, loop, nullptr);
+  const bool is_short = loop.kind == ir::LoopBound::kProven &&
+                        (loop.bound <= most || IsUnrolled(program_, loop, memory_.environment().unroll_up_to));
+  if (most == 0 || is_short) {
+    UnrollLoop(id, loop, 0, nullptr);
     return;
   }
   const Flow before = flow_;
   memory_.BeginChanges();
-  const Unrolled unrolled = UnrollLoop(id, loop, nullptr);
+  const Unrolled unrolled = UnrollLoop(id, loop, most, nullptr);
   const std::vector<Memory::Change> changes = memory_.TakeChanges();
   if (unrolled == Unrolled::kWhole) {
     for (const Memory::Change& change : changes) memory_.Write(change.cell, change.value);
@@ -74,8 +86,8 @@ void Executor::FollowLoop(ir::InstId id, const ir::Loop& loop) {
   for (const Leaving& leaving : outer) Leave(leaving.target, leaving.repeats, leaving.when);
 }
 
-Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, std::vector<Sample>* samples) {
-  const uint32_t most_unknown = memory_.environment().summarize_after;
+Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, uint32_t most_unknown,
+                                        std::vector<Sample>* samples) {
   LoopPolicy* policy = memory_.environment().loops;
   const terms::TermId before = flow_.active;
   std::vector<Leaving> outer = std::exchange(flow_.leaving, {});
@@ -223,7 +235,7 @@ void Executor::ExecuteByHead(ir::InstId id, const ir::Loop& loop) {
   policy.heads->BeginSamples();
   memory_.BeginChanges();
   ++sampling_;
-  UnrollLoop(id, loop, &samples);
+  UnrollLoop(id, loop, 0, &samples);
   --sampling_;
   const std::vector<Memory::Change> changes = memory_.TakeChanges();
   const bool whole = terms_.IsFalse(policy.left_out);

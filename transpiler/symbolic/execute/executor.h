@@ -73,8 +73,9 @@ class Executor {
   /// The rounds of the run that is followed, then the unknown function of a loop, under the condition of a further
   /// round.
   void FollowLoop(ir::InstId id, const ir::Loop& loop);
+  /// `most_unknown`: rounds of which it is not known whether they are executed; after them it is given up. 0: never.
   /// `samples`: to be filled; may be none.
-  Unrolled UnrollLoop(ir::InstId id, const ir::Loop& loop, std::vector<Sample>* samples);
+  Unrolled UnrollLoop(ir::InstId id, const ir::Loop& loop, uint32_t most_unknown, std::vector<Sample>* samples);
   void ExecuteSummary(ir::InstId id);
   void AddChanged(const std::vector<Memory::Change>& changes, std::vector<CellId>& cells);
   void ExecuteByHead(ir::InstId id, const ir::Loop& loop);
