@@ -50,5 +50,53 @@ TEST(ChangedLines, ALineThatWasTakenOut) {
   EXPECT_EQ(Changed(item->new_statements), "10: LDR A");
 }
 
+/// A rung says in other lines what its boxes compare and how long its timers wait, a page what its transitions do.
+std::string Project(const std::string& expression, const std::string& timer, const std::string& transitions) {
+  return "_FILES_CLASSICLADDER\n_FILE-sections.csv\n000,0,-1,0,0,0\n001,1,-1,0,0,0\n_/FILE-sections.csv\n"
+         "_FILE-timers_iec.csv\n1,9,0\n" +
+         timer + "\n_/FILE-timers_iec.csv\n_FILE-arithmetic_expressions.csv\n#VER=2.0\n0000,@270/1@<9\n0001," +
+         expression +
+         "\n_/FILE-arithmetic_expressions.csv\n_FILE-sequential.csv\n#VER=1.0\nS0,1,1,0,1,1\nS1,0,2,0,1,3\n" +
+         transitions +
+         "_/FILE-sequential.csv\n_FILE-rung_0.csv\n"
+         "99-0-0/0 , 99-0-0/0 , 20-0-0/1 , 50-0-60/0\n"
+         "1-0-50/0 , 99-0-0/0 , 13-0-0/1 , 50-0-60/1\n"
+         "99-0-0/0 , 99-0-0/0 , 20-0-0/0 , 50-0-60/2\n"
+         "1-0-30/2 , 50-0-60/3\n"
+         "_/FILE-rung_0.csv\n_/FILES_CLASSICLADDER\n";
+}
+
+std::string Transition(const std::string& number, const std::string& begins, const std::string& ends,
+                       const std::string& condition) {
+  const std::string none = ",-1,-1,-1,-1,-1,-1,-1,-1,-1";
+  std::string links;
+  for (int i = 0; i < 20; ++i) links += ",-1";
+  return "T" + number + "," + begins + none + "," + ends + none + links + ",0,1,2\nC" + number + ",0," + condition +
+         "\n";
+}
+
+/// The changed statements as "old / new", whatever else is found out in a moment.
+std::string Shown(const std::string& old_text, const std::string& new_text) {
+  const Diff diff = ComparedTexts(kClassicladder, old_text, new_text, {.time_ms = 1000});
+  return Changed(diff.old_statements) + " / " + Changed(diff.new_statements);
+}
+
+TEST(ChangedLines, OfARungTheExpressionOfItsBox) {
+  EXPECT_EQ(Shown(Project("@270/0@=5", "1,3,0", ""), Project("@270/0@>=5", "1,3,0", "")), "13: %IW0=5 / 13: %IW0>=5");
+}
+
+TEST(ChangedLines, OfARungTheBaseOfItsTimer) {
+  EXPECT_EQ(Shown(Project("@270/0@=5", "1,3,0", ""), Project("@270/0@=5", "2,3,0", "")), "8: 1,3,0 / 8: 2,3,0");
+}
+
+TEST(ChangedLines, OfAPageTheTransition) {
+  const std::string back = Transition("1", "0", "1", "50/2");
+  const auto page = [&](const std::string& first) { return Project("@270/0@=5", "1,3,0", first + back); };
+  EXPECT_EQ(Shown(page(Transition("0", "1", "0", "50/0")), page(Transition("0", "1", "0", "50/1"))),
+            "20: C0: %I0 / 20: C0: %I1");
+  EXPECT_EQ(Shown(page(Transition("0", "1", "0", "50/0")), page(Transition("0", "1", "-1", "50/0"))),
+            "19: T0: S0 -> S1 / 19: T0: nothing -> S1");
+}
+
 }  // namespace
 }  // namespace plcxx::review::diff

@@ -81,7 +81,7 @@ std::set<ir::StatementId> ChangedHeads(const Named& side, const std::set<ir::Sta
 }  // namespace
 
 void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named& new_side) {
-  const StatementTexts old_texts = TextsOf(old_side.compilation), new_texts = TextsOf(new_side.compilation);
+  const StatementTexts old_texts = TextsOf(old_side.side), new_texts = TextsOf(new_side.side);
   const Touched old_touched = TouchedBy(old_side, items, &Gathered::old_cells);
   const Touched new_touched = TouchedBy(new_side, items, &Gathered::new_cells);
   for (uint32_t i = 0; i < items.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "transpiler/dialects/statement_text.h"
 #include "transpiler/passes/pipeline.h"
 #include "transpiler/review/diff/causes.h"
 #include "transpiler/review/diff/confirm.h"
@@ -217,6 +218,9 @@ DiffSide MakeDiffSide(std::string label, const compilation::CompilationRequest& 
   compilation::OptimizeProgram(side.compilation);
   for (ir::Routine& routine : side.whole.routines) routine.slices = 1;
   passes::Optimize(side.whole);
+  std::vector<source::Range> statements;
+  for (const ir::Statement& statement : side.whole.statements) statements.push_back(statement.range);
+  side.elsewhere = dialects::LinesElsewhere(side.whole.dialect, *side.compilation.sources, statements);
   return side;
 }
 

@@ -25,6 +25,7 @@ struct DiffSide {
   std::string file_name;                    // not empty: its only source is a copy of this file
   compilation::Compilation compilation;     // as it runs
   ir::Program whole;                        // the slow part in one piece
+  std::vector<std::vector<source::Range>> elsewhere;  // by statement of it: what it says in other lines
 };
 
 enum class ItemKind : uint8_t { kSchedule, kOutput, kCalls, kData, kRetentive, kInternal };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 #include "transpiler/dialects/statement_text.h"
@@ -44,10 +45,27 @@ std::string ShownPath(const DiffSide& side, const std::string& path) {
   return std::filesystem::path(path).lexically_normal().generic_string();
 }
 
-/// `line` is a part of the statement's text.
+/// The text of a statement, then the lines that say elsewhere what it does.
+std::vector<source::Range> RangesOf(const DiffSide& side, ir::StatementId id) {
+  std::vector<source::Range> ranges = {side.whole.statements[id].range};
+  if (id.index < side.elsewhere.size())
+    ranges.insert(ranges.end(), side.elsewhere[id.index].begin(), side.elsewhere[id.index].end());
+  return ranges;
+}
+
+/// `line` is a part of what the statement says.
 void ShowLine(const DiffSide& side, ItemStatement& item, std::string_view line) {
-  const source::Range range = side.whole.statements[item.statement].range;
-  const std::string_view text = side.compilation.sources->Text(range);
+  source::Range range = side.whole.statements[item.statement].range;
+  std::string_view text = side.compilation.sources->Text(range);
+  for (const source::Range other : RangesOf(side, item.statement)) {
+    const std::string_view there = side.compilation.sources->Text(other);
+    const std::less_equal<> is_before;
+    if (!is_before(there.data(), line.data()) || !is_before(line.data() + line.size(), there.data() + there.size()))
+      continue;
+    range = other;
+    text = there;
+    break;
+  }
   const source::Position at =
       side.compilation.sources->Locate(range.begin + static_cast<uint32_t>(line.data() - text.data()));
   item.file = at.file.valid() ? ShownPath(side, side.compilation.sources->Get(at.file).path) : std::string();
@@ -56,8 +74,23 @@ void ShowLine(const DiffSide& side, ItemStatement& item, std::string_view line) 
   item.text = dialects::StatementText(side.compilation.program.dialect, line);
 }
 
-std::vector<std::string_view> LinesOf(const DiffSide& side, const ItemStatement& item) {
-  return LinesOf(side.compilation.sources->Text(side.whole.statements[item.statement].range));
+std::vector<std::string_view> LinesOf(const DiffSide& side, ir::StatementId id) {
+  std::vector<std::string_view> lines;
+  for (const source::Range range : RangesOf(side, id)) {
+    const std::vector<std::string_view> more = LinesOf(side.compilation.sources->Text(range));
+    lines.insert(lines.end(), more.begin(), more.end());
+  }
+  return lines;
+}
+
+/// All that a statement says: two of one text with different expressions are different ones.
+std::string WholeText(const DiffSide& side, ir::StatementId id) {
+  std::string text;
+  for (const source::Range range : RangesOf(side, id)) {
+    if (!text.empty()) text += '\n';
+    text += Normalized(side.compilation.sources->Text(range));
+  }
+  return text;
 }
 
 /// By line of `lines`: whether it belongs to the longest row of lines that stand in this order in both.
@@ -89,12 +122,12 @@ std::vector<bool> CommonLines(const std::vector<std::string_view>& lines, const 
 
 void ShowChangedLine(const DiffSide& side, ItemStatement& item, const DiffSide& other_side,
                      const std::vector<ItemStatement>& others) {
-  const std::vector<std::string_view> lines = LinesOf(side, item);
+  const std::vector<std::string_view> lines = LinesOf(side, item.statement);
   if (!item.changed || lines.size() < 2 || lines.size() > kMostLines) return;
   std::vector<bool> common;  // with the one that is most like it
   size_t most = 0;
   for (const ItemStatement& other : others) {
-    const std::vector<std::string_view> other_lines = LinesOf(other_side, other);
+    const std::vector<std::string_view> other_lines = LinesOf(other_side, other.statement);
     if (!other.changed || other_lines.size() > kMostLines) continue;
     std::vector<bool> shared = CommonLines(lines, other_lines);
     const auto count = static_cast<size_t>(std::ranges::count(shared, true));
@@ -111,12 +144,11 @@ void ShowChangedLine(const DiffSide& side, ItemStatement& item, const DiffSide& 
 
 }  // namespace
 
-StatementTexts TextsOf(const compilation::Compilation& compilation) {
+StatementTexts TextsOf(const DiffSide& side) {
   StatementTexts texts;
-  for (const ir::Statement& statement : compilation.program.statements) {
-    const std::string_view text = compilation.sources->Text(statement.range);
-    texts.statements.insert(Normalized(text));
-    for (const std::string_view line : LinesOf(text)) texts.lines.insert(Normalized(line));
+  for (uint32_t i = 0; i < side.whole.statements.size(); ++i) {
+    texts.statements.insert(WholeText(side, ir::StatementId(i)));
+    for (const std::string_view line : LinesOf(side, ir::StatementId(i))) texts.lines.insert(Normalized(line));
   }
   return texts;
 }
@@ -125,9 +157,9 @@ StatementTexts TextsOf(const compilation::Compilation& compilation) {
 ItemStatement StatementOf(const DiffSide& side, ir::StatementId id, const StatementTexts& other_texts) {
   const ir::Statement& statement = side.whole.statements[id];
   const std::string_view text = side.compilation.sources->Text(statement.range);
-  const bool changed = !other_texts.statements.contains(Normalized(text));
+  const bool changed = !other_texts.statements.contains(WholeText(side, id));
   std::string_view shown = text.substr(0, text.find_first_of("\r\n"));
-  for (const std::string_view line : LinesOf(text)) {
+  for (const std::string_view line : LinesOf(side, id)) {
     if (!changed || other_texts.lines.contains(Normalized(line))) continue;
     if (line.find_first_not_of(" \t") != std::string_view::npos) shown = line;
     break;
@@ -139,11 +171,11 @@ ItemStatement StatementOf(const DiffSide& side, ir::StatementId id, const Statem
 }
 
 std::vector<ItemStatement> ChangedStatements(const DiffSide& side, const DiffSide& other) {
-  const StatementTexts texts = TextsOf(other.compilation);
+  const StatementTexts texts = TextsOf(other);
   std::vector<ItemStatement> changed;
   for (uint32_t i = 0; i < side.whole.statements.size(); ++i) {
     const std::string_view text = side.compilation.sources->Text(side.whole.statements[ir::StatementId(i)].range);
-    if (text.empty() || texts.statements.contains(Normalized(text))) continue;
+    if (text.empty() || texts.statements.contains(WholeText(side, ir::StatementId(i)))) continue;
     changed.push_back(StatementOf(side, ir::StatementId(i), texts));
   }
   return changed;

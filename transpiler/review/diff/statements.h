@@ -15,7 +15,7 @@ namespace plcxx::review::diff {
 struct StatementTexts {
   std::set<std::string> statements, lines;
 };
-StatementTexts TextsOf(const compilation::Compilation& compilation);
+StatementTexts TextsOf(const DiffSide& side);
 
 /// The statements of one version that the other one does not have.
 std::vector<ItemStatement> ChangedStatements(const DiffSide& side, const DiffSide& other);

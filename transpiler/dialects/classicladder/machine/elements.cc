@@ -1,5 +1,6 @@
 #include "transpiler/dialects/classicladder/machine/elements.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "transpiler/dialects/classicladder/machine/machine.h"
@@ -71,6 +72,56 @@ std::string RowText(std::string_view row) {
   return text;
 }
 
+/// "@200/3[200/9]@>=5" as "%W3[%W9]>=5".
+std::string ExpressionInWords(std::string_view text) {
+  std::string words;
+  while (!text.empty()) {
+    words += TakeUntil(text, '@');
+    if (text.empty()) break;
+    std::string_view variable = TakeUntil(text, '@');
+    std::string_view index = variable;
+    variable = TakeUntil(index, '[');
+    words += VariableText(variable);
+    if (!index.empty()) words += "[" + VariableText(TakeUntil(index, ']')) + "]";
+  }
+  return words;
+}
+
+/// Ten numbers of steps, of which those before the first -1 count.
+std::string StepsInWords(std::string_view& fields) {
+  std::string words;
+  bool counts = true;
+  for (uint32_t i = 0; i < kSwitches; ++i) {
+    const std::string_view step = Trimmed(TakeUntil(fields, ','));
+    counts = counts && !step.starts_with('-');
+    if (counts) words += (words.empty() ? "S" : ", S") + std::string(step);
+  }
+  return words.empty() ? "nothing" : words;
+}
+
+/// "T1,3,-1,...,1,2,-1..." as "T1: S1, S2 -> S3", "C1,0,50/1" as "C1: %I1"; else nothing.
+std::string SequentialInWords(std::string_view line) {
+  std::string_view fields = line;
+  const std::string name(TakeUntil(fields, ','));
+  if (name.size() < 2 || !Number(std::string_view(name).substr(1))) return {};
+  if (name.front() == 'C') {
+    TakeUntil(fields, ',');
+    return name + ": " + VariableText(Trimmed(fields));
+  }
+  if (name.front() != 'T') return {};
+  const std::string begins = StepsInWords(fields);
+  return name + ": " + StepsInWords(fields) + " -> " + begins;
+}
+
+/// "0007,@270/0@<5" and "@270/0@<5" as "%IW0<5"; else nothing.
+std::string ExpressionLineInWords(std::string_view line) {
+  constexpr size_t kDigits = 4;
+  const bool numbered = line.size() > kDigits && line[kDigits] == ',' && Number(line.substr(0, kDigits));
+  if (!numbered && line.find('@') == std::string_view::npos) return {};
+  if (numbered) line.remove_prefix(kDigits + 1);
+  return ExpressionInWords(Trimmed(line));
+}
+
 }  // namespace
 
 std::optional<ElementText> SplitElement(std::string_view text) {
@@ -94,9 +145,12 @@ std::string StatementText(std::string_view source) {
     if (!row.empty()) text += (text.empty() ? "" : "; ") + row;
   }
   if (!text.empty()) return text;
-  if (SplitElement(Trimmed(source.substr(0, source.find(','))))) return std::string(source);  // wires alone
-  const size_t page = source.rfind(',');                                                      // the line of a section
-  return page == std::string_view::npos ? std::string(source) : "page " + std::string(Trimmed(source.substr(page + 1)));
+  if (std::string words = SequentialInWords(source); !words.empty()) return words;
+  if (std::string words = ExpressionLineInWords(source); !words.empty()) return words;
+  constexpr auto kSectionSeparators = 5;
+  const bool wires_alone = SplitElement(Trimmed(source.substr(0, source.find(',')))).has_value();
+  if (wires_alone || std::ranges::count(source, ',') != kSectionSeparators) return std::string(source);
+  return "page " + std::string(Trimmed(source.substr(source.rfind(',') + 1)));
 }
 
 }  // namespace plcxx::classicladder
