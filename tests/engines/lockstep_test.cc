@@ -1,4 +1,5 @@
-// Engines that ask their host: the first one is answered, the others get the same answers at the same calls.
+// Engines that ask their host: the first one is answered, the others get the same answers at the same calls, one in
+// this process when it asks, and compiled code with the command.
 #include "transpiler/engines/lockstep.h"
 
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "tests/scenarios/scenario_fixture.h"
+#include "transpiler/engines/compiled_engine.h"
 
 namespace plcxx::engines {
 namespace {
@@ -44,6 +46,17 @@ constexpr std::string_view kAsking = R"(
   schedule period period
 )";
 
+enum class Second { kHere, kCompiled };
+
+std::unique_ptr<sim::Engine> Compiled(const ir::Program& program) {
+  const source::SourceManager sources;
+  const PlatformOrFailure platform = MakeHostPlatform(FindCompiler());
+  const CompiledOrFailure compiled =
+      CompileFor(std::get<std::shared_ptr<const Platform>>(platform), program, sources, emit::Flavour::kRelease);
+  if (const auto* failure = std::get_if<CompileFailure>(&compiled)) ADD_FAILURE() << failure->message;
+  return std::get<std::unique_ptr<sim::Engine>>(StartCompiled(std::get<std::shared_ptr<CompiledProgram>>(compiled)));
+}
+
 struct Bench {
   ir::Program program;
   ir::Program other;
@@ -51,10 +64,10 @@ struct Bench {
   std::unique_ptr<Lockstep> lockstep;
   std::vector<std::string> asked;
 
-  explicit Bench(std::string_view text = kAsking, std::string_view first = kAsking)
+  explicit Bench(std::string_view text = kAsking, std::string_view first = kAsking, Second second = Second::kHere)
       : program(ir::ReadOrDie(first)), other(ir::ReadOrDie(text)) {
     engines.push_back(std::make_unique<sim::Simulator>(program));
-    engines.push_back(std::make_unique<OtherEngine>(other));
+    engines.push_back(second == Second::kHere ? std::make_unique<OtherEngine>(other) : Compiled(other));
     lockstep = std::make_unique<Lockstep>(program, std::move(engines));
     lockstep->AnswerHostCalls([this](ir::HostFunctionId function, std::span<const uint64_t>) {
       asked.push_back(program.host_functions[function].name);
@@ -69,8 +82,12 @@ struct Bench {
   }
 };
 
-TEST(Lockstep, TheOthersGetTheAnswersOfTheFirst) {
-  Bench bench;
+class LockstepOf : public testing::TestWithParam<Second> {};
+INSTANTIATE_TEST_SUITE_P(, LockstepOf, testing::Values(Second::kHere, Second::kCompiled),
+                         [](const auto& second) { return second.param == Second::kHere ? "Here" : "Compiled"; });
+
+TEST_P(LockstepOf, TheOthersGetTheAnswersOfTheFirst) {
+  Bench bench(kAsking, kAsking, GetParam());
   bench.lockstep->PowerOn();
   bench.lockstep->RunPeriod(10);
   bench.lockstep->RunPeriod(20);
@@ -124,8 +141,8 @@ TEST(Lockstep, OneNaNAsAnArgumentIsAsGoodAsAnother) {
   }
 }
 
-TEST(Lockstep, CallsThatDifferAreTold) {
-  Bench bench(Replaced(kAsking, "%two = const i8 2", "%two = const i8 3"));
+TEST_P(LockstepOf, CallsThatDifferAreTold) {
+  Bench bench(Replaced(kAsking, "%two = const i8 2", "%two = const i8 3"), kAsking, GetParam());
   bench.lockstep->PowerOn();
   EXPECT_EQ(bench.Difference(), "none");
   bench.lockstep->RunPeriod(10);
@@ -135,17 +152,79 @@ TEST(Lockstep, CallsThatDifferAreTold) {
   EXPECT_EQ(bench.lockstep->difference()->now_ms, 10u);
 }
 
-TEST(Lockstep, CallsThatAreMissingOrTooManyAreTold) {
-  Bench fewer(Replaced(kAsking, "host exchange ()\n    %two", "%two"));
+TEST_P(LockstepOf, CallsThatAreMissingOrTooManyAreTold) {
+  Bench fewer(Replaced(kAsking, "host exchange ()\n    %two", "%two"), kAsking, GetParam());
   fewer.lockstep->RunPeriod(10);
   EXPECT_EQ(fewer.Difference(), "the host calls");
   EXPECT_EQ(fewer.lockstep->difference()->first, "simulator: exchange()");
 
-  Bench more(Replaced(kAsking, "store PORT %port", "store PORT %port\n    host exchange ()"));
+  fewer.lockstep->RunPeriod(20);
+  EXPECT_EQ(fewer.lockstep->difference()->now_ms, 10u);
+
+  Bench more(Replaced(kAsking, "store PORT %port", "store PORT %port\n    host exchange ()"), kAsking, GetParam());
   more.lockstep->RunPeriod(10);
+  more.lockstep->RunPeriod(20);
   EXPECT_EQ(more.Difference(), "the host calls");
   EXPECT_EQ(more.lockstep->difference()->first, "simulator: none");
   EXPECT_EQ(more.lockstep->difference()->second, "compiled: exchange()");
+}
+
+// Answers and changes that fill the pipes in both directions, and calls that are more than that.
+TEST(Lockstep, ManyCallsInOnePeriodWaitForNobody) {
+  constexpr std::string_view kCounting = R"(
+  space M 4096 volatile little host_visible
+  place LEFT i16 M[0]
+  host tell (left : i16)
+  routine init init {
+  }
+  routine period schedule {
+    %many = const i16 20000
+    store LEFT %many
+    loop @1 guard 30000 {
+      body {
+        %left = load LEFT
+        host tell (%left)
+        %one = const i16 1
+        %next = sub.i16 %left %one
+        store LEFT %next
+        %zero = const i16 0
+        %ends = eq.i16 %next %zero
+        exit @1 if %ends
+      }
+    }
+  }
+  schedule init init
+  schedule period period
+)";
+  Bench bench(kCounting, kCounting, Second::kCompiled);
+  bench.lockstep->AnswerHostCalls([&bench](ir::HostFunctionId, std::span<const uint64_t> arguments) {
+    for (uint32_t i = 0; i < 4; ++i) bench.lockstep->Write(bench.program.places[ir::PlaceId(0)], arguments[0]);
+    return sim::HostAnswer{};
+  });
+  bench.lockstep->PowerOn();
+  bench.lockstep->RunPeriod(10);
+  EXPECT_EQ(bench.Difference(), "none");
+}
+
+// A process that has served an engine serves the next one as if it were new.
+TEST(Lockstep, TheNextEngineOfAProcessBeginsAnew) {
+  const ir::Program program = ir::ReadOrDie(kAsking);
+  const source::SourceManager sources;
+  const PlatformOrFailure platform = MakeHostPlatform(FindCompiler());
+  const auto compiled = std::get<std::shared_ptr<CompiledProgram>>(
+      CompileFor(std::get<std::shared_ptr<const Platform>>(platform), program, sources, emit::Flavour::kRelease));
+  for (int run = 0; run < 3; ++run) {
+    const auto engine = std::get<std::unique_ptr<sim::Engine>>(StartCompiled(compiled));
+    engine->RunPeriod(10);
+    EXPECT_EQ(engine->Read(program.places[ir::PlaceId(1)]), 0u) << "of the engine before";
+    EXPECT_EQ(engine->Read(program.places[ir::PlaceId(2)]), 0u) << "of the engine before";
+    engine->AnswerHostCalls(
+        [](ir::HostFunctionId, std::span<const uint64_t>) { return sim::HostAnswer{.result = 7, .out = {}}; });
+    engine->Write(program.places[ir::PlaceId(0)], 5);
+    engine->RunPeriod(20);
+    EXPECT_EQ(engine->Read(program.places[ir::PlaceId(1)]), 7u);
+    EXPECT_EQ(engine->Read(program.places[ir::PlaceId(2)]), 5u);
+  }
 }
 
 }  // namespace

@@ -8,12 +8,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
+#include <utility>
 
 extern char** environ;
 
@@ -140,6 +142,7 @@ bool ChildProcess::Start(const std::vector<std::string>& arguments) {
   close(up[1]);
   to_child_ = down[1];
   from_child_ = up[0];
+  fcntl(to_child_, F_SETFL, O_NONBLOCK);  // Send waits for both directions
   if (failed == 0) pid_ = pid;
   return failed == 0;
 }
@@ -150,22 +153,34 @@ bool ChildProcess::Send(std::string_view bytes) {
   static_cast<void>(ignored);
   while (!bytes.empty()) {
     const ssize_t count = write(to_child_, bytes.data(), bytes.size());
-    if (count <= 0) return false;
-    bytes.remove_prefix(static_cast<size_t>(count));
+    if (count > 0) {
+      bytes.remove_prefix(static_cast<size_t>(count));
+      continue;
+    }
+    if (count == 0 || errno != EAGAIN) return false;
+    pollfd either[] = {{to_child_, POLLOUT, 0}, {from_child_, POLLIN, 0}};
+    if (poll(either, 2, kAnswerMilliseconds) <= 0) return false;
+    if ((either[1].revents & POLLIN) != 0 && !Fetch()) return false;
   }
   return true;
 }
 
+bool ChildProcess::Fetch() {
+  std::array<char, 65536> bytes;  // as many as a pipe holds
+  const ssize_t count = read(from_child_, bytes.data(), bytes.size());
+  if (count <= 0) return false;
+  fetched_.erase(0, std::exchange(taken_, 0));
+  fetched_.append(bytes.data(), static_cast<size_t>(count));
+  return true;
+}
+
 bool ChildProcess::Receive(void* bytes, size_t size) {
-  char* at = static_cast<char*>(bytes);
-  while (size > 0) {
+  while (fetched_.size() - taken_ < size) {
     pollfd poll_fd{from_child_, POLLIN, 0};
-    if (poll(&poll_fd, 1, kAnswerMilliseconds) <= 0) return false;
-    const ssize_t count = read(from_child_, at, size);
-    if (count <= 0) return false;
-    at += count;
-    size -= static_cast<size_t>(count);
+    if (poll(&poll_fd, 1, kAnswerMilliseconds) <= 0 || !Fetch()) return false;
   }
+  fetched_.copy(static_cast<char*>(bytes), size, taken_);
+  taken_ += size;
   return true;
 }
 

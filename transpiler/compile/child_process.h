@@ -45,14 +45,20 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
   /// A program, found as the shell finds it, and its arguments.
   bool Start(const std::vector<std::string>& arguments);
-  /// False when the child is gone or does not answer within ten seconds.
+  /// False when the child is gone or does not answer within ten seconds. What the child writes while it is sent to is
+  /// kept for Receive, so that neither waits for the other.
   bool Send(std::string_view bytes);
   bool Receive(void* bytes, size_t size);
 
  private:
+  /// What the child has written by now, behind what is kept.
+  bool Fetch();
+
   int pid_ = -1;
   int to_child_ = -1;
   int from_child_ = -1;
+  std::string fetched_;
+  size_t taken_ = 0;  // of fetched_
 };
 
 }  // namespace plcxx::compile

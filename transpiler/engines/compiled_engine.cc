@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstring>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "transpiler/compile/child_process.h"
@@ -36,15 +38,30 @@ class CompiledEngine : public sim::Engine {
     FindStored();
   }
 
+  CompiledEngine(const CompiledEngine&) = delete;
+  CompiledEngine& operator=(const CompiledEngine&) = delete;
+
+  /// A child that has answered everything may serve another engine.
+  ~CompiledEngine() override {
+    if (child_ == nullptr || owes_answer_) return;
+    Command("Q");
+    if (child_->Send(outgoing_)) compiled_->executable->GiveBack(std::move(child_));
+  }
+
   bool Start() {
-    std::vector<std::string> command = compiled_->platform->emulator;
-    command.push_back(compiled_->executable->path());
-    if (!child_.Start(command)) return false;
+    child_ = compiled_->executable->TakeProcess(*compiled_->platform);
+    if (child_ == nullptr) return false;
     Command("", {compiled_->number});
     return true;
   }
 
   std::string_view name() const override { return compiled_->platform->name; }
+
+  bool ExpectCalls(std::span<const sim::AnsweredCall> calls) override {
+    Ask(Asking::kTells);
+    expected_ = calls;
+    return true;
+  }
 
   void PowerOn() override {
     for (uint32_t s = 0; s < shadow_.size(); ++s) {
@@ -53,28 +70,18 @@ class CompiledEngine : public sim::Engine {
         shadow_[s][initial.offset] = initial.value;
       for (size_t i = 0; i < shadow_[s].size(); ++i) ApplyShadowForce(s, i);
     }
-    Command("I");
-    Answer();
+    Piece("I");
   }
 
-  void RunPeriod(uint32_t now_ms) override {
-    Command("P", {now_ms});
-    Answer();
-  }
+  void RunPeriod(uint32_t now_ms) override { Piece("P", {now_ms}); }
 
-  void RunFastOnly(uint32_t now_ms) override {
-    Command("F", {now_ms});
-    Answer();
-  }
+  void RunFastOnly(uint32_t now_ms) override { Piece("F", {now_ms}); }
 
-  void RunElapse(uint32_t now_ms) override {
-    Command("L", {now_ms});
-    Answer();
-  }
+  void RunElapse(uint32_t now_ms) override { Piece("L", {now_ms}); }
 
   void AnswerHostCalls(sim::HostAnswers answers) override {
     answers_ = std::move(answers);
-    Command("H", {answers_ ? 1u : 0u});
+    Ask(answers_ ? Asking::kWithState : Asking::kNobody);
   }
 
   uint64_t Read(const ir::Place& place) override {
@@ -133,7 +140,7 @@ class CompiledEngine : public sim::Engine {
 
   void SendText(std::string_view text) override {
     Command("T", {static_cast<uint32_t>(text.size())});
-    Check(child_.Send(text));
+    outgoing_ += text;
     Answer();
   }
 
@@ -196,24 +203,55 @@ class CompiledEngine : public sim::Engine {
   }
 
   void Command(const char* letter, std::initializer_list<uint32_t> words = {}) {
-    std::string bytes(letter);
-    for (const uint32_t word : words) bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
-    Check(child_.Send(bytes));
+    outgoing_ += letter;
+    for (const uint32_t word : words) outgoing_.append(reinterpret_cast<const char*>(&word), sizeof word);
   }
 
-  /// What a command ends with; what the child asks before is answered.
-  void Answer() {
+  void Ask(Asking asking) {
+    if (std::exchange(asking_, asking) != asking) Command("H", {static_cast<uint32_t>(asking)});
+  }
+
+  void Piece(const char* letter, std::initializer_list<uint32_t> words = {}) {
+    Command(letter, words);
+    const auto expected = std::exchange(expected_, {});
+    for (const sim::AnsweredCall& call : expected) {
+      for (const auto& change : call.changes) change(*this);
+      CommandAnswer(call.answer);
+    }
+    if (asking_ == Asking::kTells) Command("D");
+    Answer(expected.size());
+  }
+
+  void CommandAnswer(const sim::HostAnswer& answer) {
+    const uint64_t second = answer.out.value_or(0);
+    Command("A", {Low(answer.result), High(answer.result), answer.out ? 1u : 0u, Low(second), High(second)});
+  }
+
+  /// What a command ends with; what the child asks before is answered, unless it has the answers already: `known`.
+  void Answer(size_t known = 0) {
+    owes_answer_ = true;  // as long as nothing is thrown
     uint32_t count = 0;
-    Check(child_.Receive(&count, sizeof count));
-    for (; count == kHostQuestion; Check(child_.Receive(&count, sizeof count))) {
+    for (;;) {
+      Receive(&count, sizeof count);
+      if (count != kHostQuestion) break;
       const sim::HostEvent call = ReceiveCall();
-      Check(child_.Receive(state_.data(), state_.size()));
+      if (asking_ == Asking::kWithState) Receive(state_.data(), state_.size());
       const sim::HostAnswer answer = answers_(call.function, call.arguments);
-      const uint64_t second = answer.out.value_or(0);
-      Command("A", {Low(answer.result), High(answer.result), answer.out ? 1u : 0u, Low(second), High(second)});
+      if (known > 0) {
+        --known;
+      } else {
+        CommandAnswer(answer);
+      }
     }
     for (uint32_t i = 0; i < count; ++i) events_.push_back(ReceiveCall());
-    Check(child_.Receive(state_.data(), state_.size()));
+    Receive(state_.data(), state_.size());
+    owes_answer_ = false;
+  }
+
+  /// The child is sent what it has to do first.
+  void Receive(void* bytes, size_t size) {
+    if (!outgoing_.empty()) Check(child_->Send(std::exchange(outgoing_, {})));
+    Check(child_->Receive(bytes, size));
   }
 
   static uint32_t Low(uint64_t value) { return static_cast<uint32_t>(value); }
@@ -221,9 +259,9 @@ class CompiledEngine : public sim::Engine {
 
   sim::HostEvent ReceiveCall() {
     std::array<uint32_t, 2> head{};
-    Check(child_.Receive(head.data(), sizeof head));
+    Receive(head.data(), sizeof head);
     sim::HostEvent call{ir::HostFunctionId(head[0]), std::vector<uint64_t>(head[1])};
-    if (head[1] > 0) Check(child_.Receive(call.arguments.data(), head[1] * sizeof(uint64_t)));
+    if (head[1] > 0) Receive(call.arguments.data(), head[1] * sizeof(uint64_t));
     return call;
   }
 
@@ -291,8 +329,12 @@ class CompiledEngine : public sim::Engine {
   std::shared_ptr<CompiledProgram> compiled_;
   const ir::Program& program_;
   const emit::layout::Layout& layout_;
-  compile::ChildProcess child_;
-  std::vector<uint8_t> state_;  // mirror of the child's State
+  std::unique_ptr<compile::ChildProcess> child_;
+  bool owes_answer_ = false;  // the child; then it serves nobody else
+  std::string outgoing_;      // commands that nothing was received behind yet
+  Asking asking_ = Asking::kNobody;
+  std::span<const sim::AnsweredCall> expected_;  // of the next piece
+  std::vector<uint8_t> state_;                   // mirror of the child's State
   std::vector<uint8_t> force_mask_, force_value_;
   std::vector<std::vector<uint8_t>> shadow_, shadow_mask_, shadow_value_;  // by SpaceId
   std::vector<Stored> stored_;

@@ -77,6 +77,19 @@ class Batch {
 
 }  // namespace
 
+std::unique_ptr<compile::ChildProcess> Executable::TakeProcess(const Platform& platform) {
+  if (!idle_.empty()) {
+    auto process = std::move(idle_.back());
+    idle_.pop_back();
+    return process;
+  }
+  auto process = std::make_unique<compile::ChildProcess>();
+  std::vector<std::string> command = platform.emulator;
+  command.push_back(path());
+  if (!process->Start(command)) return nullptr;
+  return process;
+}
+
 std::vector<CompiledOrFailure> CompileTogether(const std::shared_ptr<const Platform>& platform,
                                                std::span<const ProgramToCompile> programs, int seconds) {
   std::vector<CompiledOrFailure> results;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -22,14 +23,18 @@
 
 namespace plcxx::engines {
 
-/// The file, which disappears with the object.
+/// The file, which disappears with the object, and its processes that serve nobody. Of one thread.
 class Executable {
  public:
   const compile::TemporaryDirectory& directory() const { return directory_; }
   std::string path() const { return directory_.path() + "/program"; }
+  /// One that reads the number of a program next. None: it cannot be started.
+  std::unique_ptr<compile::ChildProcess> TakeProcess(const Platform& platform);
+  void GiveBack(std::unique_ptr<compile::ChildProcess> process) { idle_.push_back(std::move(process)); }
 
  private:
   compile::TemporaryDirectory directory_;
+  std::vector<std::unique_ptr<compile::ChildProcess>> idle_;
 };
 
 /// A program that was compiled once; engines start processes of it.
@@ -37,7 +42,7 @@ struct CompiledProgram {
   const ir::Program* program = nullptr;
   emit::layout::Layout layout;
   std::shared_ptr<const Platform> platform;
-  std::shared_ptr<const Executable> executable;
+  std::shared_ptr<Executable> executable;
   uint32_t number = 0;  // in the executable
   emit::Flavour flavour = emit::Flavour::kRelease;
 };

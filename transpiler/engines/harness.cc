@@ -13,7 +13,7 @@ struct Event { uint32_t function; uint32_t count; uint64_t arguments[kMostArgume
 struct Answer { uint64_t result; uint32_t has_second; uint64_t second; };
 static Event* events = nullptr;
 static uint32_t event_count = 0, event_room = 0;
-static bool asks = false;
+static uint32_t asking = kAsksNobody;
 
 static void Note(const Event& event) {
   if (event_count == event_room) {
@@ -41,6 +41,14 @@ static uint64_t ReadLong() {
   return static_cast<uint64_t>(ReadWord()) << 32 | low;
 }
 
+static Answer ReadAnswer() {
+  Answer answer;
+  answer.result = ReadLong();
+  answer.has_second = ReadWord();
+  answer.second = ReadLong();
+  return answer;
+}
+
 static void WriteCall(const Event& event) {
   const uint32_t head[2] = {event.function, event.count};
   plcxx_console::Write(head, sizeof head);
@@ -55,22 +63,19 @@ static void HostWrites() {
 }
 
 static Answer Ask(const Event& event) {
-  if (!asks) return {0, 0, 0};
+  if (asking == kAsksNobody) return {0, 0, 0};
   plcxx_console::Write(&kHostQuestion, sizeof kHostQuestion);
   WriteCall(event);
-  plcxx_console::Write(&m, kStateBytes);
-  plcxx_console::Flush();
+  if (asking == kAsksWithState) {
+    plcxx_console::Write(&m, kStateBytes);
+    plcxx_console::Flush();
+  }
   for (;;) {
     switch (ReadLetter()) {
       case 'W': HostWrites(); break;
       case 'S': StoreRetentive(); break;
-      case 'A': {
-        Answer answer;
-        answer.result = ReadLong();
-        answer.has_second = ReadWord();
-        answer.second = ReadLong();
-        return answer;
-      }
+      case 'A': return ReadAnswer();
+      case 'D': plcxx_console::Flush(); break;
       default: plcxx_console::Quit();
     }
   }
@@ -113,10 +118,15 @@ static void Serve() {
   program::Host& host = harness::host;
   program::State& m = harness::m;
   const auto word = [] { return harness::ReadWord(); };
-  char* text = nullptr;
-  uint32_t text_room = 0;
+  static char* text = nullptr;
+  static uint32_t text_room = 0;
+  m = program::State{};
+  host = program::Host{};
+  harness::event_count = 0;
+  harness::asking = harness::kAsksNobody;
   for (;;) {
     switch (harness::ReadLetter()) {
+      case 'Q': return;
       case 'I': program::init(m, host); Report(); break;
       case 'P': host.now = word(); RunPeriod(m, host); Report(); break;
       case 'F': host.now = word(); RunFastOnly(m, host); Report(); break;
@@ -155,9 +165,11 @@ constexpr std::string_view kServeOn = R"(      case 'T': {
         Report();
         break;
       }
-      case 'H': harness::asks = word() != 0; break;
+      case 'H': harness::asking = word(); break;
+      case 'A': harness::ReadAnswer(); break;
+      case 'D': break;
       case 'S': harness::StoreRetentive(); break;
-      default: return;
+      default: plcxx_console::Quit();
     }
   }
 }
@@ -234,7 +246,12 @@ std::string ProgramHarness(const emit::Emittable& emittable) {
   out += "};\nnamespace harness {\nstatic State m;\nstatic Host host;\n";
   out += "constexpr size_t kStateBytes = " + std::to_string(emittable.layout.size) + ";\n";
   out += "constexpr size_t kMostArguments = " + std::to_string(most_arguments) + ";\n";
-  out += "constexpr uint32_t kHostQuestion = " + std::to_string(kHostQuestion) + "u;\n";
+  const auto number = [&out](std::string_view name, uint32_t value) {
+    out += "constexpr uint32_t " + std::string(name) + " = " + std::to_string(value) + "u;\n";
+  };
+  number("kHostQuestion", kHostQuestion);
+  number("kAsksNobody", static_cast<uint32_t>(Asking::kNobody));
+  number("kAsksWithState", static_cast<uint32_t>(Asking::kWithState));
   const bool debug = emittable.options.flavour == emit::Flavour::kDebug;
   out += std::string("static void ReapplyForces(State& state) {") +
          (debug ? " state.ReapplyForces(); }\n" : " static_cast<void>(state); }\n");
@@ -272,10 +289,12 @@ std::string HarnessText(std::span<const emit::Emittable> programs) {
   // The code of the programs is optimized as the platform says. The harness need not be, and is half of the whole.
   out += "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize (\"O0\")\n#endif\n";
   for (const emit::Emittable& emittable : programs) out += ProgramHarness(emittable);
-  out += "int main() {\n  uint32_t number = 0;\n  plcxx_console::Read(&number, sizeof number);\n  switch (number) {\n";
+  out +=
+      "int main() {\n  for (;;) {\n    uint32_t number = 0;\n    plcxx_console::Read(&number, sizeof number);\n"
+      "    switch (number) {\n";
   for (size_t i = 0; i < programs.size(); ++i)
-    out += "    case " + std::to_string(i) + ": " + ServerName(programs[i]) + "::Serve(); break;\n";
-  return out + "    default: break;\n  }\n  return 0;\n}\n";
+    out += "      case " + std::to_string(i) + ": " + ServerName(programs[i]) + "::Serve(); break;\n";
+  return out + "      default: return 0;\n    }\n  }\n}\n";
 }
 
 }  // namespace plcxx::engines

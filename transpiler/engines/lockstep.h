@@ -57,13 +57,6 @@ class Lockstep : public sim::Engine {
 
  private:
   using Change = std::function<void(sim::Engine& engine)>;
-  /// A host call of the first engine, and what was done to the engine while it was answered.
-  struct AnsweredCall {
-    sim::HostEvent call;
-    sim::HostAnswer answer;
-    std::vector<Change> changes;
-  };
-
   /// Each engine executes a piece of the program, the first one before the others.
   void Execute(uint32_t now_ms, const Change& piece);
   /// To each engine; while a call of the first one is answered to that one only, the others follow at the same call.
@@ -79,9 +72,10 @@ class Lockstep : public sim::Engine {
   std::vector<std::unique_ptr<sim::Engine>> engines_;
   std::vector<sim::HostEvent> events_;
   sim::HostAnswers answers_;
-  std::vector<AnsweredCall> calls_;  // of the piece that is being executed
-  size_t repeated_ = 0;              // those that the engine which is executing has made, too
-  bool answering_ = false;           // the last one of calls_ is being answered
+  std::vector<sim::AnsweredCall> calls_;  // of the piece that is being executed
+  size_t repeated_ = 0;                   // those that the engine which is executing has made, too
+  bool has_answers_ = false;              // that engine has taken the answers with the changes (ExpectCalls)
+  bool answering_ = false;                // the last one of calls_ is being answered
   uint32_t now_ms_ = 0;
   std::optional<Difference> difference_;
   ir::HostFunctionId false_fact_function_;  // none: facts are trusted

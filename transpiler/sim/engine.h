@@ -33,6 +33,15 @@ struct HostAnswer {
   bool operator==(const HostAnswer&) const = default;
 };
 
+class Engine;
+
+/// A host call that an engine has made, how it was answered, and what was done to the engine meanwhile.
+struct AnsweredCall {
+  HostEvent call;
+  HostAnswer answer;
+  std::vector<std::function<void(Engine& engine)>> changes;
+};
+
 /// Answers a host call in the middle of a period; it may read and write the engine that asks.
 using HostAnswers = std::function<HostAnswer(ir::HostFunctionId function, std::span<const uint64_t> arguments)>;
 
@@ -52,6 +61,11 @@ class Engine {
   /// From now on `answers` is asked for every host call but those that the engine answers itself: the time, and the
   /// host's store of retentive memory. Without it calls give 0 and no second result.
   virtual void AnswerHostCalls(HostAnswers answers) = 0;
+
+  /// What the next piece (PowerOn, RunPeriod ...) will ask if it does what another engine did, which has executed it.
+  /// An engine to which a question costs much takes the answers with the changes from here, and says so: its questions
+  /// are then told to `answers` without what it gives, up to as many as are in `calls`.
+  virtual bool ExpectCalls(std::span<const AnsweredCall> /*calls*/) { return false; }
 
   /// Any place, also one that the program does not use. A write is the host's: forced bits keep their value.
   virtual uint64_t Read(const ir::Place& place) = 0;
