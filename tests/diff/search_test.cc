@@ -277,6 +277,43 @@ TEST(Search, OneInputIsChangedAtEachMomentThatWasSeen) {
   EXPECT_TRUE(shows(Stimuli(whole.begin(), whole.begin() + difference.steps), Clock::time_point::max()));
 }
 
+/// The control of hnc has a base cycle of 1 ms, and calls the program every 16 ms: what takes three calls is seen.
+TEST(Search, AShortBaseCycleIsNoPeriodOfRunsInLanes) {
+  const testing_support::TemporaryDirectory old_directory, new_directory;
+  const auto program = [](const std::string& condition) {
+    return "#include \"plc.h\"\nint n, calls;\nvoid init() { plc1_time = 16; plc2_time = 32; }\nvoid plc1()\n{\n"
+           "    if (X[0] == 5) n++;\n    calls = (X[1] & 1) ? calls + 1 : 0;\n    Y[0] = " +
+           condition + "calls == 3;\n}\nvoid plc2() { }\n";
+  };
+  old_directory.Write("p.cld", program("n < 4 && "));
+  new_directory.Write("p.cld", program(""));
+  old_directory.Write("s.yaml", "dialect: hnc\nsources: [p.cld]\nsteps:\n- set: {\"X[0]\": 5}\n- run: {fast: 6}\n");
+  const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
+    compilation::CompilationRequest request;
+    request.sources = {"p.cld"};
+    request.base_directory = directory.path().string();
+    request.dialect = "hnc";
+    return MakeDiffSide(name, request);
+  };
+  const DiffSide old_side = side("old", old_directory), new_side = side("new", new_directory);
+  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
+                                new_version = prove::machine::MakeVersion(new_side.whole);
+  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, {});
+  const CellWords words(old_version, old_side.compilation);
+  std::vector<execute::CellId> cells;
+  for (uint32_t i = 0; i < old_version.cells.count; ++i) {
+    const execute::CellId cell(i);
+    if (match.new_of_old[i].valid() && prove::machine::IsState(old_version, cell)) cells.push_back(cell);
+  }
+  DirectedSearch search(old_side, new_side, old_version, new_version, match, words, cells);
+  RandomRuns found;
+  using Clock = std::chrono::steady_clock;
+  search.RunScenarios(Clock::now() + std::chrono::seconds(20), found);
+  ASSERT_TRUE(found.difference_of.empty());
+  search.RunWideFromMoments(cells, Clock::now() + std::chrono::seconds(60), found);
+  EXPECT_FALSE(found.difference_of.empty());
+}
+
 /// Two contactors; in step 3 of a counter the second one is on. Steps begin behind a code that nobody guesses.
 std::string Contactors(const std::string& interlock, const std::string& also) {
   return "$\nU100K0 = [W0A0=157] + U100K0\nU100K1 = U100K0*[W0A0=46] + U100K1\nC20I(5) = U100K1*I0A0*/C20I\n"

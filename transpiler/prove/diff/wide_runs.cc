@@ -135,6 +135,11 @@ void WideRuns::FindSources() {
   }
 }
 
+uint32_t WideRuns::period_ms() const {
+  const ir::Schedule& schedule = versions_.old_version.program->schedule;
+  return std::max({1U, schedule.period_ms, schedule.fast_every_ms});
+}
+
 void WideRuns::PowerOn() {
   old_machine_->PowerOn();
   new_machine_->PowerOn();
@@ -175,7 +180,7 @@ void WideRuns::Advance(const Period& period) {
   }
   const ir::Schedule& schedule = versions_.old_version.program->schedule;
   const WideMachine::Times begin_ms = now_ms_;
-  for (uint64_t& now : now_ms_) now += schedule.period_ms;
+  for (uint64_t& now : now_ms_) now += period_ms();
   const bool ends = schedule.period_ends_its_time || schedule.fast_ms != 0;
   for (const Which which : {Which::kOld, Which::kNew}) {
     WideMachine& machine = which == Which::kOld ? *old_machine_ : *new_machine_;

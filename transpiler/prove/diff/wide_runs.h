@@ -44,6 +44,9 @@ class WideRuns {
   WideRuns(UnrolledVersions versions, const std::vector<execute::CellId>& sought, Time end);
   ~WideRuns();
 
+  /// How much time passes in one period of a run. A base cycle may be much shorter than what the parts wait for, and
+  /// nothing but a counter changes between: so much time is one step here.
+  uint32_t period_ms() const;
   bool is_ready() const { return inputs_.has_value() && !(inputs_->inputs().empty() && requests_.empty()); }
   /// Runs of ever other lengths until `end`, or until none of `sought` is open. `found` gets a run for each location
   /// that was seen to differ, one for several of them where it can be; what stays open after that is told again a few

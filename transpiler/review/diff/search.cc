@@ -303,7 +303,7 @@ void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, Rand
   const uint64_t now_ms = old_machine_.time_ms();
   const auto repeat = [&](const prove::diff::Run& run) {
     GoTo(from);
-    Repeat(run, result);
+    Repeat(run, period_ms_, result);
   };
   prove::diff::AimLimits limits{.most_periods = kAimedPasses * pass_periods_, .end = limit};
   // Each answer is one more location then, and most of them are small questions.
@@ -326,12 +326,12 @@ void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, Rand
   Keep(Kept::kNew);
 }
 
-void DirectedSearch::Repeat(const prove::diff::Run& run, RandomRuns& result) {
+void DirectedSearch::Repeat(const prove::diff::Run& run, uint32_t period_ms, RandomRuns& result) {
   // What is set, and as much time as passes until something is set again.
   for (size_t period = 0; period < run.periods.size();) {
     Stimulus stimulus{.inputs = run.periods[period], .words = {}};
     do {
-      stimulus.ms += period_ms_;
+      stimulus.ms += period_ms;
       ++period;
     } while (period < run.periods.size() && run.periods[period].empty());
     if (!Step(stimulus, result)) return;
@@ -386,7 +386,7 @@ void DirectedSearch::RunWideFromMoments(const std::vector<CellId>& sought, Time 
       starts, sought, end, [&result](CellId cell) { return !result.difference_of.contains(cell); },
       [&](const prove::diff::Run& run, size_t start) {
         GoTo(*moments[start]);
-        Repeat(run, result);
+        Repeat(run, Wide().period_ms(), result);
       });
 }
 
@@ -404,7 +404,7 @@ void DirectedSearch::RunWide(const std::vector<CellId>& sought, Time end, Random
         size_t period = moments.empty() ? 0 : (moments.size() - 1) * kPeriodsBetweenMoments;
         for (; period < run.periods.size(); ++period) {
           if (period == moments.size() * kPeriodsBetweenMoments) moments.push_back(Here());
-          if (!Step({.inputs = run.periods[period], .words = {}, .ms = period_ms_}, result)) return;
+          if (!Step({.inputs = run.periods[period], .words = {}, .ms = Wide().period_ms()}, result)) return;
         }
       });
 }

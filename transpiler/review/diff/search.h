@@ -95,7 +95,7 @@ class DirectedSearch {
   /// The next moment of which the solver was not asked yet; null: there is none.
   Moment* NextToAsk(bool is_many);
   /// Does what a run sets, by time, and compares after each period.
-  void Repeat(const prove::diff::Run& run, RandomRuns& result);
+  void Repeat(const prove::diff::Run& run, uint32_t period_ms, RandomRuns& result);
   /// Asks the solver what has to be set at the moment, and does that.
   void Aim(Moment& moment, const std::vector<execute::CellId>& sought, RandomRuns& result);
   void Disturb(const Input& input, Stimulus& stimulus);
