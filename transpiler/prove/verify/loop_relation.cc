@@ -286,9 +286,12 @@ terms::TermId LoopRelation::ClaimFacts(const OfProgram& loop, size_t number) {
   const terms::TermId goes_on = terms_.And(loop.given_inside, terms_.And(loop.head.when, loop.again));
   terms::TermId all = terms_.Bit(true);
   for (size_t i = 0; i < facts.size(); ++i) {
-    Claim(keys[i] + ", at its entry", keys[i], Blame::kAtEntry, enters, Substitute(terms_, facts[i], entry),
+    // The key says nothing to a reader: it is a hash of the fact.
+    const std::string what = LoopName(number) + ": what holds at the beginning of each round (" +
+                             std::to_string(i + 1) + " of " + std::to_string(facts.size()) + ")";
+    Claim(what + ", at its entry", keys[i], Blame::kAtEntry, enters, Substitute(terms_, facts[i], entry),
           terms_.Bit(true));
-    Claim(keys[i], keys[i], Blame::kFactOrFixed, goes_on, Substitute(terms_, facts[i], next), terms_.Bit(true));
+    Claim(what, keys[i], Blame::kFactOrFixed, goes_on, Substitute(terms_, facts[i], next), terms_.Bit(true));
     all = terms_.And(all, facts[i]);
   }
   return all;
