@@ -2,10 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "tests/diff/compared_texts.h"
 #include "transpiler/review/diff/search.h"
@@ -16,6 +20,15 @@ namespace {
 
 using testing::HasSubstr;
 
+compilation::CompilationRequest RequestOf(const testing_support::TemporaryDirectory& directory,
+                                          const std::string& source = "p.plc", const std::string& dialect = "nc110") {
+  compilation::CompilationRequest request;
+  request.sources = {source};
+  request.base_directory = directory.path().string();
+  request.dialect = dialect;
+  return request;
+}
+
 /// Both versions with a scenario beside the old one.
 struct WithScenario {
   WithScenario(const std::string& old_text, const std::string& new_text, const std::string& scenario) {
@@ -24,19 +37,52 @@ struct WithScenario {
     old_.Write("s.yaml", "dialect: nc110\nsources: [p.plc]\nsteps:\n" + scenario);
   }
   Diff Compared(uint64_t time_ms) const {
-    const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
-      compilation::CompilationRequest request;
-      request.sources = {"p.plc"};
-      request.base_directory = directory.path().string();
-      request.dialect = "nc110";
-      return MakeDiffSide(name, request);
-    };
-    DiffSide old_side = side("old", old_), new_side = side("new", new_);
+    DiffSide old_side = MakeDiffSide("old", RequestOf(old_)), new_side = MakeDiffSide("new", RequestOf(new_));
     return CompareSides(old_side, new_side,
                         {.same = {}, .time_ms = time_ms, .scenario_directory = old_.path().string(), .progress = {}});
   }
   testing_support::TemporaryDirectory old_, new_;
 };
+
+/// The search itself between two versions, and what it has found.
+struct Searching {
+  Searching(const compilation::CompilationRequest& old_request, const compilation::CompilationRequest& new_request)
+      : old_side(MakeDiffSide("old", old_request)), new_side(MakeDiffSide("new", new_request)) {
+    for (uint32_t i = 0; i < old_version.cells.count; ++i) {
+      if (match.new_of_old[i].valid() && prove::machine::IsState(old_version, execute::CellId(i)))
+        cells.emplace_back(i);
+    }
+    search.emplace(old_side, new_side, old_version, new_version, match, words, cells);
+  }
+  std::vector<execute::CellId> Named(const std::string& name) const {
+    std::vector<execute::CellId> named;
+    std::ranges::copy_if(cells, std::back_inserter(named),
+                         [&](execute::CellId cell) { return words.WordOf(cell).name == name; });
+    return named;
+  }
+  /// Whether the simulator shows it again, from power-on.
+  bool ShowsAgain(execute::CellId cell) const {
+    const RandomRuns::Difference& difference = found.difference_of.at(cell);
+    const Stimuli& whole = found.runs[difference.run];
+    const Shortener::Shows shows =
+        ShowsDifference(old_side, new_side, old_version, new_version, {cell}, {match.new_of_old[cell.index]});
+    return shows(Stimuli(whole.begin(), whole.begin() + difference.steps),
+                 std::chrono::steady_clock::time_point::max());
+  }
+
+  const DiffSide old_side, new_side;
+  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
+                                new_version = prove::machine::MakeVersion(new_side.whole);
+  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, {});
+  const CellWords words{old_version, old_side.compilation};
+  std::vector<execute::CellId> cells;
+  std::optional<DirectedSearch> search;
+  RandomRuns found;
+};
+
+std::chrono::steady_clock::time_point Within(int seconds) {
+  return std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+}
 
 /// A code that nobody guesses, in four words one after the other; then a timer.
 std::string Lock(const std::string& preset) {
@@ -151,36 +197,20 @@ TEST(Search, WhatIsSeenIsSeenAgainFromPowerOn) {
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   text.replace(text.find("T24I(30)"), 8, "T24I(50)");
   changed.Write("turret.plc", text);
-  const auto side = [](const std::string& name, const std::filesystem::path& directory) {
+  const auto request = [](const std::filesystem::path& directory) {
     compilation::CompilationRequest request;
     request.sources = {"lathe.sym", "fast.plc", "spindle.plc", "turret.plc"};
     request.base_directory = directory.string();
     request.options = {{"iocfil", "IOCFIL"}, {"axcfil", "AXCFIL"}, {"pgcfil", "PGCFIL"}};
     request.dialect = "nc110";
-    return MakeDiffSide(name, request);
+    return request;
   };
-  const DiffSide old_side = side("old", lathe), new_side = side("new", changed.path());
-  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
-                                new_version = prove::machine::MakeVersion(new_side.whole);
-  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, {});
-  const CellWords words(old_version, old_side.compilation);
-  std::vector<execute::CellId> cells;
-  for (uint32_t i = 0; i < old_version.cells.count; ++i) {
-    if (match.new_of_old[i].valid() && prove::machine::IsState(old_version, execute::CellId(i))) cells.emplace_back(i);
-  }
-  DirectedSearch search(old_side, new_side, old_version, new_version, match, words, cells);
-  RandomRuns found;
-  using Clock = std::chrono::steady_clock;
-  search.RunScenarios(Clock::now() + std::chrono::seconds(20), found);
-  search.Run(cells, Clock::now() + std::chrono::seconds(2), found);
-  EXPECT_GT(found.difference_of.size(), 5U);
-  for (const auto& [cell, difference] : found.difference_of) {
-    const Stimuli& whole = found.runs[difference.run];
-    const Stimuli run(whole.begin(), whole.begin() + difference.steps);
-    const Shortener::Shows shows =
-        ShowsDifference(old_side, new_side, old_version, new_version, {cell}, {match.new_of_old[cell.index]});
-    EXPECT_TRUE(shows(run, Clock::time_point::max())) << words.WordOf(cell).name;
-  }
+  Searching pair(request(lathe), request(changed.path()));
+  pair.search->RunScenarios(Within(20), pair.found);
+  pair.search->Run(pair.cells, Within(2), pair.found);
+  EXPECT_GT(pair.found.difference_of.size(), 5U);
+  for (const auto& [cell, difference] : pair.found.difference_of)
+    EXPECT_TRUE(pair.ShowsAgain(cell)) << pair.words.WordOf(cell).name;
 }
 
 /// A code in six words one after the other, and no scenario that knows it: in hundreds of runs at once, with words that
@@ -196,36 +226,12 @@ TEST(Search, RunsBesideEachOtherGoThroughACode) {
   };
   old_directory.Write("p.plc", program("I1A0"));
   new_directory.Write("p.plc", program("I1A1"));
-  const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
-    compilation::CompilationRequest request;
-    request.sources = {"p.plc"};
-    request.base_directory = directory.path().string();
-    request.dialect = "nc110";
-    return MakeDiffSide(name, request);
-  };
-  const DiffSide old_side = side("old", old_directory), new_side = side("new", new_directory);
-  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
-                                new_version = prove::machine::MakeVersion(new_side.whole);
-  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, {});
-  const CellWords words(old_version, old_side.compilation);
-  std::vector<execute::CellId> cells, sought;
-  for (uint32_t i = 0; i < old_version.cells.count; ++i) {
-    const execute::CellId cell(i);
-    if (!match.new_of_old[i].valid() || !prove::machine::IsState(old_version, cell)) continue;
-    cells.push_back(cell);
-    if (words.WordOf(cell).name == "U4A0") sought.push_back(cell);
-  }
+  Searching pair(RequestOf(old_directory), RequestOf(new_directory));
+  const std::vector<execute::CellId> sought = pair.Named("U4A0");
   ASSERT_EQ(sought.size(), 1U);
-  DirectedSearch search(old_side, new_side, old_version, new_version, match, words, cells);
-  RandomRuns found;
-  using Clock = std::chrono::steady_clock;
-  search.RunWide(sought, Clock::now() + std::chrono::seconds(60), found);
-  ASSERT_TRUE(found.difference_of.contains(sought.front()));
-  const RandomRuns::Difference& difference = found.difference_of.at(sought.front());
-  const Stimuli& whole = found.runs[difference.run];
-  const Shortener::Shows shows = ShowsDifference(old_side, new_side, old_version, new_version, {sought.front()},
-                                                 {match.new_of_old[sought.front().index]});
-  EXPECT_TRUE(shows(Stimuli(whole.begin(), whole.begin() + difference.steps), Clock::time_point::max()));
+  pair.search->RunWide(sought, Within(60), pair.found);
+  ASSERT_TRUE(pair.found.difference_of.contains(sought.front()));
+  EXPECT_TRUE(pair.ShowsAgain(sought.front()));
 }
 
 /// A machine at work behind a code that nobody guesses: one input near the change shows it, held for two scans. From
@@ -242,39 +248,15 @@ TEST(Search, OneInputIsChangedAtEachMomentThatWasSeen) {
   old_directory.Write("s.yaml",
                       "dialect: nc110\nsources: [p.plc]\nsteps:\n- set: {W0A0: 157}\n- run: {slow: 1}\n"
                       "- set: {W0A0: 46}\n- run: {slow: 1}\n- set: {W0A0: 211}\n- run: {slow: 1}\n");
-  const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
-    compilation::CompilationRequest request;
-    request.sources = {"p.plc"};
-    request.base_directory = directory.path().string();
-    request.dialect = "nc110";
-    return MakeDiffSide(name, request);
-  };
-  const DiffSide old_side = side("old", old_directory), new_side = side("new", new_directory);
-  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
-                                new_version = prove::machine::MakeVersion(new_side.whole);
-  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, {});
-  const CellWords words(old_version, old_side.compilation);
-  std::vector<execute::CellId> cells, sought;
-  for (uint32_t i = 0; i < old_version.cells.count; ++i) {
-    const execute::CellId cell(i);
-    if (!match.new_of_old[i].valid() || !prove::machine::IsState(old_version, cell)) continue;
-    cells.push_back(cell);
-    if (words.WordOf(cell).name == "U4A0") sought.push_back(cell);
-  }
+  Searching pair(RequestOf(old_directory), RequestOf(new_directory));
+  const std::vector<execute::CellId> sought = pair.Named("U4A0");
   ASSERT_EQ(sought.size(), 1U);
-  DirectedSearch search(old_side, new_side, old_version, new_version, match, words, cells);
-  RandomRuns found;
-  using Clock = std::chrono::steady_clock;
-  search.RunScenarios(Clock::now() + std::chrono::seconds(20), found);
-  ASSERT_FALSE(found.difference_of.contains(sought.front()));
+  pair.search->RunScenarios(Within(20), pair.found);
+  ASSERT_FALSE(pair.found.difference_of.contains(sought.front()));
   // A single pass over the moments, whatever the time.
-  search.RunWideFromMoments(sought, Clock::now() + std::chrono::seconds(60), found);
-  ASSERT_TRUE(found.difference_of.contains(sought.front()));
-  const RandomRuns::Difference& difference = found.difference_of.at(sought.front());
-  const Stimuli& whole = found.runs[difference.run];
-  const Shortener::Shows shows = ShowsDifference(old_side, new_side, old_version, new_version, {sought.front()},
-                                                 {match.new_of_old[sought.front().index]});
-  EXPECT_TRUE(shows(Stimuli(whole.begin(), whole.begin() + difference.steps), Clock::time_point::max()));
+  pair.search->RunWideFromMoments(sought, Within(60), pair.found);
+  ASSERT_TRUE(pair.found.difference_of.contains(sought.front()));
+  EXPECT_TRUE(pair.ShowsAgain(sought.front()));
 }
 
 /// The control of hnc has a base cycle of 1 ms, and calls the program every 16 ms: what takes three calls is seen.
@@ -288,30 +270,11 @@ TEST(Search, AShortBaseCycleIsNoPeriodOfRunsInLanes) {
   old_directory.Write("p.cld", program("n < 4 && "));
   new_directory.Write("p.cld", program(""));
   old_directory.Write("s.yaml", "dialect: hnc\nsources: [p.cld]\nsteps:\n- set: {\"X[0]\": 5}\n- run: {fast: 6}\n");
-  const auto side = [](const std::string& name, const testing_support::TemporaryDirectory& directory) {
-    compilation::CompilationRequest request;
-    request.sources = {"p.cld"};
-    request.base_directory = directory.path().string();
-    request.dialect = "hnc";
-    return MakeDiffSide(name, request);
-  };
-  const DiffSide old_side = side("old", old_directory), new_side = side("new", new_directory);
-  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
-                                new_version = prove::machine::MakeVersion(new_side.whole);
-  const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, {});
-  const CellWords words(old_version, old_side.compilation);
-  std::vector<execute::CellId> cells;
-  for (uint32_t i = 0; i < old_version.cells.count; ++i) {
-    const execute::CellId cell(i);
-    if (match.new_of_old[i].valid() && prove::machine::IsState(old_version, cell)) cells.push_back(cell);
-  }
-  DirectedSearch search(old_side, new_side, old_version, new_version, match, words, cells);
-  RandomRuns found;
-  using Clock = std::chrono::steady_clock;
-  search.RunScenarios(Clock::now() + std::chrono::seconds(20), found);
-  ASSERT_TRUE(found.difference_of.empty());
-  search.RunWideFromMoments(cells, Clock::now() + std::chrono::seconds(60), found);
-  EXPECT_FALSE(found.difference_of.empty());
+  Searching pair(RequestOf(old_directory, "p.cld", "hnc"), RequestOf(new_directory, "p.cld", "hnc"));
+  pair.search->RunScenarios(Within(20), pair.found);
+  ASSERT_TRUE(pair.found.difference_of.empty());
+  pair.search->RunWideFromMoments(pair.cells, Within(60), pair.found);
+  EXPECT_FALSE(pair.found.difference_of.empty());
 }
 
 /// Two contactors; in step 3 of a counter the second one is on. Steps begin behind a code that nobody guesses.

@@ -48,13 +48,17 @@ constexpr std::string_view kAsking = R"(
 
 enum class Second { kHere, kCompiled };
 
-std::unique_ptr<sim::Engine> Compiled(const ir::Program& program) {
+std::shared_ptr<CompiledProgram> Compiled(const ir::Program& program) {
   const source::SourceManager sources;
   const PlatformOrFailure platform = MakeHostPlatform(FindCompiler());
   const CompiledOrFailure compiled =
       CompileFor(std::get<std::shared_ptr<const Platform>>(platform), program, sources, emit::Flavour::kRelease);
   if (const auto* failure = std::get_if<CompileFailure>(&compiled)) ADD_FAILURE() << failure->message;
-  return std::get<std::unique_ptr<sim::Engine>>(StartCompiled(std::get<std::shared_ptr<CompiledProgram>>(compiled)));
+  return std::get<std::shared_ptr<CompiledProgram>>(compiled);
+}
+
+std::unique_ptr<sim::Engine> EngineOf(const std::shared_ptr<CompiledProgram>& compiled) {
+  return std::get<std::unique_ptr<sim::Engine>>(StartCompiled(compiled));
 }
 
 struct Bench {
@@ -67,7 +71,7 @@ struct Bench {
   explicit Bench(std::string_view text = kAsking, std::string_view first = kAsking, Second second = Second::kHere)
       : program(ir::ReadOrDie(first)), other(ir::ReadOrDie(text)) {
     engines.push_back(std::make_unique<sim::Simulator>(program));
-    engines.push_back(second == Second::kHere ? std::make_unique<OtherEngine>(other) : Compiled(other));
+    engines.push_back(second == Second::kHere ? std::make_unique<OtherEngine>(other) : EngineOf(Compiled(other)));
     lockstep = std::make_unique<Lockstep>(program, std::move(engines));
     lockstep->AnswerHostCalls([this](ir::HostFunctionId function, std::span<const uint64_t>) {
       asked.push_back(program.host_functions[function].name);
@@ -209,12 +213,9 @@ TEST(Lockstep, ManyCallsInOnePeriodWaitForNobody) {
 // A process that has served an engine serves the next one as if it were new.
 TEST(Lockstep, TheNextEngineOfAProcessBeginsAnew) {
   const ir::Program program = ir::ReadOrDie(kAsking);
-  const source::SourceManager sources;
-  const PlatformOrFailure platform = MakeHostPlatform(FindCompiler());
-  const auto compiled = std::get<std::shared_ptr<CompiledProgram>>(
-      CompileFor(std::get<std::shared_ptr<const Platform>>(platform), program, sources, emit::Flavour::kRelease));
+  const auto compiled = Compiled(program);
   for (int run = 0; run < 3; ++run) {
-    const auto engine = std::get<std::unique_ptr<sim::Engine>>(StartCompiled(compiled));
+    const auto engine = EngineOf(compiled);
     engine->RunPeriod(10);
     EXPECT_EQ(engine->Read(program.places[ir::PlaceId(1)]), 0u) << "of the engine before";
     EXPECT_EQ(engine->Read(program.places[ir::PlaceId(2)]), 0u) << "of the engine before";
