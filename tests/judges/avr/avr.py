@@ -1,5 +1,6 @@
 """C through avr-gcc and libsimavr: the bytes that a program shows, in the order of showing."""
 import pathlib
+import subprocess
 
 import children
 
@@ -9,6 +10,8 @@ FLAGS = ["-std=gnu89", "-mmcu=atmega2560", "-fwrapv", "-fsigned-char", "-fsigned
          "-fno-delete-null-pointer-checks", "-ffunction-sections", "-fno-jump-tables", "-w", "-I", str(HERE),
          "-Wl,--gc-sections", "-Wl,--defsym=__stack=0xffff", "-Wl,--defsym=__DATA_REGION_LENGTH__=0xf800"]
 
+SECONDS = 600  # for the compiler and for the simulator
+
 
 class NotRun(Exception):
     """avr-gcc or the simulator did not take the program."""
@@ -17,10 +20,17 @@ class NotRun(Exception):
 def run(source, runner, compiler="avr-gcc", level="-Os"):
     """Compiles the file and runs it; the shown blocks of bytes."""
     binary = source.with_suffix(".elf")
-    made = children.run([compiler, *FLAGS, level, source, "-o", binary], 600)
+    made = called([compiler, *FLAGS, level, source, "-o", binary])
     if made.returncode != 0:
         raise NotRun(f"{source}: {made.stderr[:3000]}")
-    result = children.run([runner, binary], 600)
+    result = called([runner, binary])
     if result.returncode != 0:
         raise NotRun(f"{binary}: the simulated program ended with {result.returncode} {result.stderr[:500]}")
     return [bytes.fromhex(line) for line in result.stdout.split()]
+
+
+def called(words):
+    try:
+        return children.run(words, SECONDS)
+    except subprocess.TimeoutExpired as late:
+        raise NotRun(f"{words[0]}: {late}") from late

@@ -140,6 +140,13 @@ static void show(const void* at, unsigned count) {
   __asm__ volatile("" ::: "memory");
   GPIOR0 = 1;
 }
+struct shown {
+  const void* at;
+  unsigned count;
+};
+static void show_all(const struct shown* one, unsigned count) {
+  for (; count != 0; --count, ++one) show(one->at, one->count);
+}
 
 // Options (10.5).
 static unsigned char mirrored = 28, calls_once, flags_off, stop_printed, stop_at_fault;

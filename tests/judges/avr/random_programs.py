@@ -8,7 +8,8 @@ from program import messages, run_on_avr, test
 
 PROGRAMS_AN_ELF = 25
 SECONDS_BETWEEN_LINES = 60
-LEVELS = ("-O0", "-O1", "-O0", "-Os")  # compiling is most of the time
+LEVELS = ("-O0", "-O0", "-O0", "-O1", "-O0", "-O0", "-O0", "-Os")  # compiling is half of the time, and twice that with -Os
+ONE_ALONE = ("-O0", "-O1", "-Os", "-O2")
 
 
 class Tally:
@@ -37,45 +38,71 @@ def judge(plcxx, runner, directory, seeds, engine, jobs, keep, report, further):
 
 
 def batch(plcxx, runner, directory, seeds, number, engine, jobs, keep, report, further, tally):
-    programs = [generate(seed) for seed in seeds]
-    values = judged(programs, directory, f"elf{seeds[0]}", runner, LEVELS[number % len(LEVELS)])
-    paths = [p.write(directory, v) for p, v in zip(programs, values)]
-    failed, output = test(plcxx, paths, engine, jobs)
-    for path in failed:
+    programs, failed = [], []
+    for seed in seeds:
+        try:
+            programs.append(generate(seed))
+        except Exception as fault:  # of one seed; the others are judged
+            report(f"FAILED seed {seed}: the generator: {fault!r}")
+            failed.append(f"seed {seed}")
+    judged, refused = values_on_avr(programs, directory, f"elf{seeds[0]}", runner, LEVELS[number % len(LEVELS)])
+    for program, why in refused:
+        program.write_sources(directory)
+        report(f"FAILED {directory / program.name} (avr-gcc): {why}")
+        failed.append(str(directory / f"{program.name}.yaml"))
+    paths = [p.write(directory, v) for p, v in judged]
+    wrong, output = test(plcxx, paths, engine, jobs) if paths else ([], "")
+    for path in wrong:
         report(f"FAILED {path}")
+        alone(next(pair for pair in judged if pair[0].name == pathlib.Path(path).stem), directory, runner, report)
         for code, line, text in messages(plcxx, path.replace(".yaml", ".cld"))[:3]:
             report(f"  {path.replace('.yaml', '.cld')}:{line}: {code} {text}")
     told = [row for row in output.splitlines() if ": expected " in row or "): " in row or row.startswith("plcxx:")]
     for row in told[:40]:
         report("  " + row)
-    passed = [path for path in paths if path not in map(pathlib.Path, failed)]
-    failed += further.judge(number, passed, report)
-    tally.programs += len(programs)
-    tally.values += sum(len(step) for v in values for step in v)
+    passed = [path for path in paths if path not in map(pathlib.Path, wrong)]
+    failed += wrong + further.judge(number, passed, report)
+    tally.programs += len(seeds)
+    tally.values += sum(len(step) for _, v in judged for step in v)
     tally.failed += len(failed)
     if not keep:
         tidy(directory, programs, failed, f"elf{seeds[0]}")
 
 
-def judged(programs, directory, name, runner, level):
-    """avr-gcc 5 finds no registers for some functions, and some batches are larger than its memory: then without
-    optimisation, then in halves."""
+def alone(judged, directory, runner, report):
+    """Leaves the program of a disagreement by itself as it is for avr-gcc, and says when its values were its neighbours' doing."""
+    program, values = judged
     try:
-        return run_on_avr(programs, directory, name, runner, level)
-    except avr.NotRun:
-        if level != "-O0":
-            return judged(programs, directory, name, runner, "-O0")
-        if len(programs) == 1:
-            raise
-        half = len(programs) // 2
-        return judged(programs[:half], directory, name, runner, "-O1") + judged(programs[half:], directory, name, runner, "-O1")
+        if run_on_avr([program], directory, program.name, runner, "-O0")[0] != values:
+            report(f"  {directory / program.name}.c has other values without its batch")
+    except avr.NotRun as refusal:
+        report(f"  without its batch: {refusal}")
+
+
+def values_on_avr(programs, directory, name, runner, level):
+    """(program, values) of those that ran, and (program, why) of those that avr-gcc or the simulator did not take.
+
+    avr-gcc 5 finds no registers for some functions, and some batches are larger than its memory: then without optimisation,
+    then in halves, so that what is left is one program, which gets each level once."""
+    if not programs:
+        return [], []
+    for own in (level, "-O0") if len(programs) > 1 and level != "-O0" else (level,) if len(programs) > 1 else ONE_ALONE:
+        try:
+            return list(zip(programs, run_on_avr(programs, directory, name, runner, own))), []
+        except avr.NotRun as refusal:
+            why = str(refusal)
+    if len(programs) == 1:
+        return [], [(programs[0], why)]
+    half = len(programs) // 2
+    parts = [values_on_avr(part, directory, name, runner, "-O1") for part in (programs[:half], programs[half:])]
+    return parts[0][0] + parts[1][0], parts[0][1] + parts[1][1]
 
 
 def tidy(directory, programs, failed, name):
     for program in programs:
         if str(directory / f"{program.name}.yaml") not in failed:
             for file in (*program.files, f"{program.name}.yaml"):
-                (directory / file).unlink()
+                (directory / file).unlink(missing_ok=True)
     (directory / f"{name}.elf").unlink(missing_ok=True)
     if not failed:
-        (directory / f"{name}.c").unlink()
+        (directory / f"{name}.c").unlink(missing_ok=True)
