@@ -18,6 +18,12 @@ HEADER_WORDS = {
     "G": [(f"{name}({axis})", view, 10 * axis + at) for axis in (0, 1) for name, view, at in (
         ("axis_ctrl", "ui", 0), ("axis_pic_a", "l", 1), ("axis_pic_v", "i", 3), ("axis_pvcmd", "i", 4), ("axis_pecmd", "i", 5))]}
 BINARY = ("+", "-", "*", "&", "|", "^", "<", ">", "<=", ">=", "==", "!=", "&&", "||", "/", "%", "<<", ">>", "+", "-", "&", "*")
+# Divisors that are known without running, with their types: of both signs and of each width.
+DIVISORS = {"1": "int", "2": "int", "3": "int", "7": "int", "10": "int", "100": "int", "255": "int", "1000": "int", "256u": "unsigned", "3L": "long",
+            "-1": "int", "-3": "int", "-10L": "long", "0x8000": "unsigned", "65535u": "unsigned", "40000": "long", "-1L": "long", "0xFFFFFFFF": "unsigned long"}
+# Counts of shifts likewise: some leave nothing of the value, and only their low 8 bits count (6.2).
+COUNTS = {**{str(n): "int" for n in (0, 1, 2, 3, 4, 7, 8, 9, 12, 14, 15)}, "16": "int", "17": "int", "31": "int", "32": "int", "33": "int", "200": "int", "-1": "int",
+          "256": "int", "259": "int", "1u": "unsigned", "5L": "long", "40UL": "unsigned long"}
 ESCAPES = {"\\n": 10, "\\t": 9, "\\r": 13, "\\a": 7, "\\b": 8, "\\f": 12, "\\v": 11, "\\0": 0, "\\\\": 92, "\\'": 39, '\\"': 34,
            "\\x7f": 127, "\\xff": -1, "\\x80": -128, "\\101": 65, "\\377": -1}
 SUFFIXES = {"": None, "u": "unsigned", "U": "unsigned", "L": "long", "l": "long", "UL": "unsigned long", "lu": "unsigned long"}
@@ -66,6 +72,7 @@ class Expressions(Reals, Control):
     def __init__(self, seed):
         self.random = random.Random(seed)
         self.objects, self.functions, self.macros, self.enumerators = [], [], [], []
+        self.counting = []  # counters of the loops around, with the greatest value that each has
         self.protected = set()  # not to be changed: counters and limits of the loops around
         self.structs = []
         self.rounds = 1
@@ -74,7 +81,8 @@ class Expressions(Reals, Control):
         self.headers, self.options, self.words, self.unions = set(), {}, set(), set()
         self.enumerator_values, self.enumerators_apart = {}, []
         self.real_functions, self.real_changers, self.pointer_functions = [], [], []
-        self.has_reals = self.has_pointers = self.has_control = self.uses_system = False
+        self.has_reals = self.has_pointers = self.has_control = self.has_customs = self.uses_system = False
+        self.storing, self.row_functions = {}, {}  # names of macros by their words; functions over tables by the type of their rows
 
     def chance(self, of_hundred):
         return self.random.randrange(100) < of_hundred
@@ -118,6 +126,10 @@ class Expressions(Reals, Control):
             # avr-gcc gives an assignment to a bit-field the size of the field
             if not inner.field and not (inner.writes and ("." in inner.plc or "->" in inner.plc)):
                 return spelled.literal(f"sizeof({inner.plc})", "unsigned", f"sizeof({inner.avr})")
+        if pick == 3 and (arrays := [o for o in self.objects if o.count and o.kind != "double" and not (o.pointer or o.plc)]):
+            item = self.random.choice(arrays)
+            text = self.random.choice(("sizeof {0} / sizeof {0}[0]", "sizeof({0}) / sizeof(*{0})", "sizeof {0}", "sizeof {0}[0]")).format(item.name)
+            return dataclasses.replace(spelled.literal(text, "unsigned"), level=spelled.PRECEDENCE["/"] if "/" in text else UNARY)
         if pick == 1:
             if self.structs and self.chance(30):
                 struct = self.random.choice(self.structs)
@@ -129,8 +141,12 @@ class Expressions(Reals, Control):
 
     def index(self, count, depth, sure):
         """An expression and whether it may be outside of 0..count-1."""
-        if self.chance(45) or depth <= 0:
+        if depth <= 0 or self.chance(30 if self.counting else 45):
             return spelled.literal(str(self.random.randrange(count))), False
+        if self.counting and self.chance(40):
+            counter, most = self.random.choice(self.counting)
+            if most < count or not sure:
+                return counter.spelled(), most >= count
         inner = self.integer(depth - 1)
         if inner.constant or "sizeof" in inner.plc:
             return spelled.literal(str(self.random.randrange(count))), False
@@ -242,6 +258,8 @@ class Expressions(Reals, Control):
         member = self.random.choice([m for m in struct.members if m.name and m.kind not in REAL])
         inner = dataclasses.replace(base, plc=base.plc + member.name, avr=base.avr + member.name)
         if isinstance(member.kind, Struct):
+            if member.count:
+                inner = self.element(inner, member.kind, member.count, depth, True)
             inner = dataclasses.replace(inner, plc=inner.plc + ".", avr=inner.avr + ".")
             return self.member(inner, member.kind, depth, sure)
         inner = dataclasses.replace(inner, kind=member.kind, field=bool(member.bits), faulty=False)
@@ -311,13 +329,16 @@ class Expressions(Reals, Control):
         left, right = self.integer(depth - 1), self.integer(depth - 1 if self.chance(70) else 0)
         if operator in "/%":
             if right.constant:
-                right = spelled.literal(self.random.choice(("1", "2", "3", "7", "10", "100", "255", "1000", "256u", "3L")), "int")
-                right = dataclasses.replace(right, kind={"u": "unsigned", "L": "long"}.get(right.plc[-1], "int"))
+                right = self.one_of(DIVISORS)
         elif operator in ("<<", ">>") and right.constant:
-            right = spelled.literal(str(self.random.choice((0, 1, 2, 3, 4, 7, 8, 9, 12, 14, 15))))
+            right = self.one_of(COUNTS)
         elif operator in ("<<", ">>") and self.chance(60):
             right = spelled.binary("&", right, spelled.literal(self.random.choice(("7", "15", "31", "63"))))
         return spelled.binary(operator, left, right)
+
+    def one_of(self, constants):
+        text, kind = self.random.choice(list(constants.items()))
+        return dataclasses.replace(spelled.literal(text, kind), level=UNARY if text[0] == "-" else POSTFIX)
 
     def library(self, depth):
         """abs is known without its header."""
@@ -349,9 +370,9 @@ class Expressions(Reals, Control):
             operator = "^="  # avr-gcc's spelling would evaluate the index twice
         value = self.integer(depth - 1)
         if operator in ("/=", "%=") and value.constant:
-            value = spelled.literal("7")
+            value = self.one_of(DIVISORS)
         if operator in ("<<=", ">>="):
-            value = spelled.literal(str(self.random.randrange(8))) if value.constant else value
+            value = self.one_of(COUNTS) if value.constant else value
         return spelled.assignment(operator, target, value)
 
     def member_of_result(self, depth):

@@ -14,6 +14,7 @@ from statements import Body, Lines, Statements, both
 WORDS = {"unsigned long": ("long unsigned int", "unsigned long int"), "long": ("long int", "signed long", "int long"),
          "unsigned": ("unsigned int", "int unsigned"), "short": ("short int", "signed short"), "int": ("signed", "int near", "signed int"),
          "unsigned char": ("char unsigned", "unsigned char far")}
+MOST_REPEATED = 8  # bytes of a struct of which another one has an array
 KINDS = "MSTB"  # of the dispatcher; the fifth is E
 NEVER = "#if {}\nthis isn't C at all: {{ 'x\n#{}\n"
 POINTED = ("unsigned char", "int", "unsigned", "long", "char")
@@ -30,7 +31,7 @@ class Generator(Statements, Inputs):
         self.registered = []
         self.has_memory = self.chance(40)
         self.shape = shapes.draw(self.random)
-        self.has_reals, self.has_pointers, self.has_control = (self.chance(share) for share in (35, 60, 45))
+        self.has_reals, self.has_pointers, self.has_control, self.has_customs = (self.chance(share) for share in (35, 60, 45, 60))
         if self.has_reals and self.chance(60):
             self.headers.add("math")
         self.choose_options()
@@ -47,6 +48,8 @@ class Generator(Statements, Inputs):
         functions = self.struct_function() + self.real_functions_made()
         if self.has_pointers:
             functions += self.pointer_functions_made()
+        if self.has_customs:
+            functions += self.custom_functions_made()
         for _ in range(self.random.randrange(1, self.shape.functions + 1)):
             functions += self.function()
         if self.chance(35):
@@ -144,7 +147,13 @@ class Generator(Statements, Inputs):
         names, value = [], -1
         for _ in range(self.random.randrange(0, 5)):
             name = self.fresh("E")
-            if self.chance(40):
+            if names and self.chance(30):  # of those before it
+                other, by = self.random.choice(self.enumerators[-len(names):]), self.random.randrange(1, 5)
+                text, value = self.random.choice(((f"{other} * 2 + {by}", self.enumerator_values[other] * 2 + by), (f"-{other}", -self.enumerator_values[other]),
+                                                  (f"({other} & 15) << {by}", (self.enumerator_values[other] & 15) << by),
+                                                  (f"{other} > {by} ? {by} : {other}", min(by, self.enumerator_values[other]))))
+                names.append(f"{name} = {text}")
+            elif self.chance(40):
                 value = self.random.randrange(-300, 300)
                 names.append(f"{name} = {value}")
             else:
@@ -176,7 +185,8 @@ class Generator(Statements, Inputs):
             elif pick < 7:
                 members.append(Member(f"m{i}", self.random.choice(INTEGERS), self.random.choice((2, 3, 4))))
             elif pick < 8 and self.structs:
-                members.append(Member(f"m{i}", self.random.choice(self.structs)))
+                inner = self.random.choice(self.structs)
+                members.append(Member(f"m{i}", inner, self.random.choice((0, 0, 2, 3)) if inner.size() <= MOST_REPEATED else 0))
             else:
                 kind = self.random.choice(("int", "unsigned", "unsigned", "unsigned char", "char"))
                 for k in range(self.random.randrange(1, 5)):
@@ -280,6 +290,10 @@ class Generator(Statements, Inputs):
             rows = ", ".join(f"{{{values(-3, 120, self.random.randrange(1, named + 1))}}}" for _ in range(count))
             text = f"const {spelled.declared(kind, name)}[{self.random.choice(('', count))}] = {{{rows}}};"
             item = Object(name, kind, count, constant=True)
+        elif self.chance(50):
+            item = self.number_table(name)
+            self.objects.append(item)
+            return
         else:
             rows = [[self.random.choice(("a", "B", "7", " ", "\\n", "\\201")) for _ in range(self.random.randrange(5))] for _ in range(count)]
             texts = [f'"{"".join(row)}"' for row in rows]
@@ -294,6 +308,21 @@ class Generator(Statements, Inputs):
                 return
         self.text += Lines([text], ["static " + text])
         self.objects.append(item)
+
+    def number_table(self, name, local=False):
+        """const int T[3][4] = {{..}, ..}; its first bound may be that of its rows, its inner braces may be left out."""
+        kind = self.random.choice(INTEGERS)
+        count, second = self.random.choice(((2, 3), (3, 4), (4, 2), (1, 6), (5, 5)))
+        numbers = [[str(self.random.choice((0, 1, -1, 7, 100, 255, -128, 32767, self.random.randrange(-300, 300)))) for _ in range(second)] for _ in range(count)]
+        rows = ", ".join(f"{{{', '.join(row)}}}" for row in numbers) if self.chance(70) else ", ".join(", ".join(row) for row in numbers)
+        bound = self.random.choice(("", count))
+        text = f"{'static ' if local else ''}const {kind} {name}[{bound}][{second}] = {{{rows}}};"
+        row = Lines([text], [text if local else "static " + text])
+        item = Object(name, kind, count, second, constant=True)
+        if local:
+            return item, row
+        self.text += row
+        return item
 
     def pointer(self, name):
         """A global pointer to one of two objects; functions leave it alone."""
@@ -333,6 +362,8 @@ class Generator(Statements, Inputs):
                 cut = self.random.randrange(1, len(item.name) - 1)
                 if item.name[cut].isalpha() or item.name[cut] == "_":
                     self.objects.append(dataclasses.replace(item, plc=f"{join}({item.name[:cut]}, {item.name[cut:]})"))
+        if self.has_customs:
+            self.custom_macros()
         for _ in range(self.random.randrange(0, 5)):
             name, parameters = self.fresh("M"), self.random.randrange(0, 3)
             names = ("x", "y")[:parameters]
@@ -391,6 +422,10 @@ class Generator(Statements, Inputs):
                 statics += both(f"{spelled.declared(struct, item.name)} = {other.name};")
             else:
                 statics += self.local(item)
+            items.append(item)
+        if self.chance(15):
+            item, declared = self.number_table(self.fresh("t"), local=True)
+            statics += declared
             items.append(item)
         if self.structs and self.chance(20):
             struct = self.random.choice([s for s in self.structs])
@@ -529,6 +564,8 @@ class Generator(Statements, Inputs):
                 item = self.random.choice([o for o in self.pointed_arrays(kind) if o.name.startswith("g")])
                 self.note(Spelled("", "", reads=frozenset({item.name})))
                 inner += both(f"{self.sink} = *{function}(2, {item.name}, {item.name});")
+            for function, item in self.row_functions.values():
+                inner += both(f"{self.sink} = {function}({item.name}, 0);")
             for function, kind in self.real_changers:
                 inner += both(f"{{ {kind} own; own = 1; {function}(&own, 2); }}")
             # a function that no part reaches is not the judge's business

@@ -64,7 +64,7 @@ def everything():
     made += rows("tested by", ("switch",), PROMOTED)
     made += rows("place", ("[] of array", "[] of pointer", "* of a pointer", "bit-field")) + rows("place", ("member",), (*TYPES, *REAL, "array", "struct", "union"))
     made += rows("address", (*TYPES, *REAL, "struct", "array")) + rows("index", PROMOTED) + [("leaf", "string"), ("leaf", "null")]
-    made += rows("member", (*TYPES, *REAL, "array", "struct", "union")) + rows("member", ("field of",), ("int", "unsigned int", "unsigned char", "char"))
+    made += rows("member", (*TYPES, *REAL, "array", "struct", "union")) + rows("member", ("field of",), ("int", "unsigned int", "unsigned char", "signed char"))
     for storage in ("global", "static local", "automatic"):
         made += rows("variable", (storage,), (*TYPES, *REAL, "pointer", "array", "struct", "union"))
     made += rows("parameter", (*TYPES, *REAL, "pointer", "struct", "union")) + rows("parameter", TYPES, ("without prototype",))

@@ -126,13 +126,13 @@ def flow(pairs):
     return "{" + ", ".join(f'"{name}": {value}' for name, value in pairs) + "}"
 
 
-def run_on_avr(programs, directory, name, runner, level="-Os"):
+def run_on_avr(programs, directory, name, runner, level="-Os", cycles=avr.MOST_CYCLES):
     """The values of each program, in its order."""
     text = HEAD + "".join(p.avr + p.driver() for p in programs)
     text += "int main(void)\n{\n" + "".join(f"run_{p.name}();\n" for p in programs) + "stop();\nreturn 0;\n}\n"
     source = directory / f"{name}.c"
     source.write_text(text)
-    blocks = avr.run(source, runner, level=level)
+    blocks = avr.run(source, runner, level=level, cycles=cycles)
     expected = sum(p.blocks() for p in programs)
     if len(blocks) != expected:
         raise avr.NotRun(f"{source}: shows {len(blocks)} times instead of {expected}")

@@ -9,6 +9,7 @@ from program import messages, run_on_avr, test
 PROGRAMS_AN_ELF = 25
 SECONDS_BETWEEN_LINES = 60
 LEVELS = ("-O0", "-O0", "-O0", "-O1", "-O0", "-O0", "-O0", "-Os")  # compiling is half of the time, and twice that with -Os
+MOST_CYCLES = 600_000_000  # of the simulated machine; a batch takes some ten millions
 ONE_ALONE = ("-O0", "-O1", "-Os", "-O2")
 
 
@@ -83,19 +84,31 @@ def values_on_avr(programs, directory, name, runner, level):
     """(program, values) of those that ran, and (program, why) of those that avr-gcc or the simulator did not take.
 
     avr-gcc 5 finds no registers for some functions, and some batches are larger than its memory: then without optimisation,
-    then in halves, so that what is left is one program, which gets each level once."""
+    then in halves, so that what is left is one program, which gets each level once. What does not end is known by how much
+    had been shown."""
     if not programs:
         return [], []
-    for own in (level, "-O0") if len(programs) > 1 and level != "-O0" else (level,) if len(programs) > 1 else ONE_ALONE:
+    levels = ONE_ALONE if len(programs) == 1 else (level, "-O0") if level != "-O0" else (level,)
+    for own in levels:
         try:
-            return list(zip(programs, run_on_avr(programs, directory, name, runner, own))), []
+            return list(zip(programs, run_on_avr(programs, directory, name, runner, own, MOST_CYCLES))), []
         except avr.NotRun as refusal:
-            why = str(refusal)
+            why, shown = str(refusal), refusal.shown
+        if shown is not None and len(programs) > 1:
+            # Alone it may end: the others' memory is beside its own in the batch.
+            at = next((at for at in range(len(programs)) if sum(p.blocks() for p in programs[:at + 1]) > shown), len(programs) - 1)
+            return joined(values_on_avr(part, directory, name, runner, "-O0") for part in (programs[at:at + 1], programs[:at] + programs[at + 1:]))
+        if shown is not None:
+            break
     if len(programs) == 1:
         return [], [(programs[0], why)]
     half = len(programs) // 2
-    parts = [values_on_avr(part, directory, name, runner, "-O1") for part in (programs[:half], programs[half:])]
-    return parts[0][0] + parts[1][0], parts[0][1] + parts[1][1]
+    return joined(values_on_avr(part, directory, name, runner, "-O1") for part in (programs[:half], programs[half:]))
+
+
+def joined(parts):
+    judged, refused = zip(*parts)
+    return sum(judged, []), sum(refused, [])
 
 
 def tidy(directory, programs, failed, name):

@@ -253,4 +253,4 @@ def plain(operator, left, right):
     else:
         avr = f"{one.avr} {operator} {other.avr}"
     return Spelled(f"{one.plc} {operator} {other.plc}", avr, "int", level, left.reads | right.reads, left.writes | right.writes,
-                   left.constant and right.constant)
+                   left.constant and (right.constant or operator in ("&&", "||")))

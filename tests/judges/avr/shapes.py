@@ -127,8 +127,8 @@ class Forms:
             inner = Lines([f"if ({test.plc}) {word};"], [f"if ({test.avr}) {word};"]) + inner
         self.loops.pop()
         self.rounds //= most + 2
-        self.protected -= {name}
         real = self.real_condition(1) if self.has_reals and self.chance(50) else self.condition(1)
+        self.protected -= {name}
         also = real.at(6)
         if form == 0:
             made = both(f"for ({name} = 0; {name} < {most};) {{") + inner + both(f"{name}++; }}")

@@ -2,6 +2,7 @@
 import dataclasses
 
 import spelled
+from customs import Customs
 from expressions import Expressions, Object
 from pointing import Pointing
 from shapes import Forms
@@ -39,7 +40,7 @@ def block(inner):
     return both("{") + inner + both("}")
 
 
-class Statements(Expressions, Pointing, Forms):
+class Statements(Expressions, Pointing, Forms, Customs):
     def __init__(self, seed, mark):
         super().__init__(seed)
         self.struct_functions = []
@@ -78,6 +79,8 @@ class Statements(Expressions, Pointing, Forms):
             return self.simple(self.stepped(2))
         if pick < 48:
             return self.expression_statement()
+        if self.has_customs and self.chance(15):
+            return self.custom(depth)
         if pick < 58:
             return self.chain(depth) if self.chance(15) else self.dangling() if self.chance(8) else self.conditional(depth)
         if pick < 66:
@@ -220,7 +223,11 @@ class Statements(Expressions, Pointing, Forms):
         label_behind = self.fresh("out")
         self.exits.append(label_behind)
         self.objects.append(counter) if declaration.plc else None
+        if form != "noted":  # which counts nothing
+            self.counting.append((counter, most + 1))
         body = self.several(depth - 1, self.shape.block)
+        if form != "noted":
+            self.counting.pop()
         self.loops.pop()
         self.exits.pop()
         self.rounds //= most + 1
