@@ -203,6 +203,7 @@ TEST(ByHand, Nc110) { JudgeAll("nc110", ".plc", testing_support::Volume<size_t>(
 TEST(ByHand, Host50) { JudgeAll("host50", ".il", testing_support::Volume<size_t>(2, 1)); }
 TEST(ByHand, Prostep) { JudgeAll("prostep", ".plc", testing_support::Volume<size_t>(2, 1)); }
 TEST(ByHand, Technol) { JudgeAll("technol", ".plc", testing_support::Volume<size_t>(2, 1)); }
+TEST(ByHand, Classicladder) { JudgeAll("classicladder", ".clp", testing_support::Volume<size_t>(2, 1)); }
 // A State of thousands of cells takes its time.
 TEST(ByHand, Hnc) { JudgeAll("hnc", ".cld", testing_support::Volume<size_t>(4, 1)); }
 

@@ -39,6 +39,12 @@ class PinStub final : public dialects::ControlStub {
       if (place.is_field() || place.space != stretch.space) continue;
       if (place.offset < stretch.begin || place.offset >= stretch.end) continue;
       const uint32_t first = place.offset - stretch.begin;
+      if (place.type == ir::Type::kBit) {
+        // One bit of a word: the others stay as they are.
+        const auto mask = static_cast<uint8_t>(1u << place.bit);
+        bytes_[i][first] = static_cast<uint8_t>((bytes_[i][first] & ~mask) | ((value & 1) != 0 ? mask : 0));
+        return true;
+      }
       for (uint32_t k = 0; k < ir::Bytes(place.type); ++k)
         bytes_[i][first + k] = static_cast<uint8_t>(value >> (8 * k));
       return true;
