@@ -357,7 +357,7 @@ class Generator(Statements, Inputs):
             self.defined += [join, text]
             self.text += both(f"#define {join}(a, b) a ## b")
             # Another spelling of a variable: put together by ##.
-            usable = [o for o in self.objects if o.name.startswith("g") and not (o.plc or o.pointer)]
+            usable = [o for o in self.objects if o.name.startswith("g") and "." not in o.name and not (o.plc or o.pointer)]
             for item in self.random.sample(usable, min(2, len(usable))):
                 cut = self.random.randrange(1, len(item.name) - 1)
                 if item.name[cut].isalpha() or item.name[cut] == "_":

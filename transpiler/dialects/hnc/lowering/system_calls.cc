@@ -85,6 +85,8 @@ CallResult SystemCalls::Call(const Expr& expr) {
       program_.host_functions[host].routine_exchange = false;
       called = builder_.CallHost(host, std::move(arguments));
     } else {
+      const ValueId by_zero = system_routines_.DividesByZero(function, arguments);
+      if (by_zero.valid()) faults_.RecordWhen(by_zero, Fault::kDivision);
       called = builder_.CallRoutine(system_routines_.Routine(function), std::move(arguments));
     }
     if (kept.valid()) builder_.Store(kept, called);

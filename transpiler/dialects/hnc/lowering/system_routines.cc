@@ -17,6 +17,7 @@ namespace {
 
 constexpr uint32_t kAxisWords = 10;
 constexpr uint32_t kIipWord = 251;
+constexpr uint32_t kMostNegative = 0x80000000;  // its magnitude is itself
 
 }  // namespace
 
@@ -86,6 +87,25 @@ void SystemRoutines::CallAgain(SystemFunction function, std::vector<ValueId> arg
   builder_.CallRoutine(
       own.valid() && placement_.routines[own.index].valid() ? placement_.routines[own.index] : Routine(function),
       std::move(arguments));
+}
+
+// set_axis_move divides by |pic_a| + |d|, where d is not 0: two magnitudes of at most 2^31 make 2^32 or 0 only when
+// both are 2^31.
+ValueId SystemRoutines::DividesByZero(SystemFunction function, const std::vector<ValueId>& arguments) {
+  const bool move = function == SystemFunction::kSetAxisMove, moveto = function == SystemFunction::kSetAxisMoveto;
+  if (!move && !moveto) return {};
+  // What the program has in the place of either is its own, and so is what it divides.
+  if (moveto && (Replacement(SystemFunction::kSetAxisMove).valid() || Replacement(SystemFunction::kGetAxisPos).valid()))
+    return {};
+  const ValueId axis = Pure(OpKind::kWiden16To32, {arguments[0]});
+  // The way of set_axis_moveto is p - pout - pic_a: with pic_a = -2^31 it is -2^31 too when p is pout.
+  const ValueId far = Pure(OpKind::kEqual32, {arguments[1], move ? builder_.Constant(ir::Type::kI32, kMostNegative, 16)
+                                                                 : AxisWord(Area::kF, 1, ir::Type::kI32, axis)});
+  const ir::Inst& known = program_[far];
+  if (known.op == OpKind::kConst && known.a == 0) return {};
+  const ValueId rest = AxisWord(Area::kG, 1, ir::Type::kI32, axis);
+  return Pure(OpKind::kBitAnd,
+              {far, Pure(OpKind::kEqual32, {rest, builder_.Constant(ir::Type::kI32, kMostNegative, 16)})});
 }
 
 void SystemRoutines::Build(SystemRoutine routine, ir::RoutineId id) {

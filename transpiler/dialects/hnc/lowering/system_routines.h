@@ -22,6 +22,9 @@ class SystemRoutines : Context {
 
   /// What a system function does, as a routine that is there when something calls it.
   ir::RoutineId Routine(SystemFunction function);
+  /// Whether a call divides by 0, which is a fault of the statement that calls (6.9); none: it cannot. `arguments` are
+  /// as the function has them, the axis is one.
+  ir::ValueId DividesByZero(SystemFunction function, const std::vector<ir::ValueId>& arguments);
   void AddHandwheels();
   const std::unordered_map<uint32_t, ir::RoutineId>& routines() const { return made_; }
 
