@@ -384,8 +384,10 @@ class Generator(Statements, Inputs):
             self.macros.append(Macro(name, lambda args, n=name: self.macro_call(n, args), parameters))
 
     def macro_call(self, name, arguments):
-        # the shift in a macro's body is of a masked count; what the body is made of decides the type
-        return Spelled(f"{name}({', '.join(a.at(2).plc for a in arguments)})", f"{name}({', '.join(a.at(2).avr for a in arguments)})",
+        # the shift in a macro's body is of a masked count; what the body is made of decides the type. An operator that avr-gcc has
+        # as a call does not come apart in a body without parentheses.
+        arguments = [a.at(spelled.POSTFIX if any(f"{called}(" in a.avr for called in spelled.NAMED.values()) else 2) for a in arguments]
+        return Spelled(f"{name}({', '.join(a.plc for a in arguments)})", f"{name}({', '.join(a.avr for a in arguments)})",
                        "int", spelled.PRECEDENCE["+"], frozenset().union(*(a.reads for a in arguments)),
                        frozenset().union(*(a.writes for a in arguments)), all(a.constant for a in arguments))
 
