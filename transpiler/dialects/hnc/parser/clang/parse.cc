@@ -163,6 +163,7 @@ void ParseTokens(Session& session) {
 }
 
 void Converter::Run() {
+  unit_.expressions.Reserve(session_.tokens.size());  // about as many, and growing copies all of them again and again
   CollectComments();
   loop_bounds_ = session_.loop_bounds;
   AddLoopBounds(unit_.comments, findings(), loop_bounds_);
