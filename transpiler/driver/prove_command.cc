@@ -20,6 +20,7 @@
 #include "transpiler/driver/prove_output.h"
 #include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/review/properties/coarse_runs.h"
 #include "transpiler/review/properties/runs.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/property_machine.h"
@@ -117,7 +118,17 @@ class Prove {
     progress_.Show("executing");
     const auto known = scenarios::KnownRuns(request_);
     review::properties::PropertyRuns runs(machine_, known);
-    options_.try_runs = [&runs](const prove::properties::RunSearch& search) { return runs.Find(search); };
+    review::properties::CoarseRuns coarse_runs(machine_);
+    options_.try_runs = [&](const prove::properties::RunSearch& search) {
+      // Where most periods do nothing, runs are computed in which something happens in each of them.
+      const bool are_computed = search.thorough && coarse_runs.AreUseful();
+      std::optional<prove::properties::PropertyRun> found;
+      if (are_computed) found = coarse_runs.Find(*search.property, search.milliseconds / 2);
+      prove::properties::RunSearch tried = search;
+      if (are_computed) tried.milliseconds -= search.milliseconds / 2;
+      if (!found) found = runs.Find(tried);
+      return found;
+    };
     std::optional<review::properties::PropertyRuns> planted;
     if (plant_) {
       planted.emplace(machine_, known, plant_);

@@ -71,6 +71,41 @@ TEST(ProveRuns, AViolationBehindAStartUpIsFoundByItsScenario) {
   ExpectShown(work);
 }
 
+// The parts wait 16 ms and 32 ms, and a period is 1 ms: what is counted are calls, not periods. Three codes one after
+// the other, and eight bits in a row, are 49 and 113 periods away; random inputs do not meet them.
+TEST(ProveRuns, AViolationSomeCallsAwayIsFoundThoughAPeriodIsMuchShorter) {
+  constexpr std::string_view kSource = R"(#include "plc.h"
+static int s; static unsigned char row;
+void init() { plc1_time = 16; plc2_time = 32; }
+void plc1() {
+  switch (s) {
+    case 0: if (X[1] == 0x5A) s = 1; break;
+    case 1: s = X[1] == 0xA5 ? 2 : 0; break;
+    case 2: s = X[1] == 0x77 ? 3 : 0; break;
+    case 3: Y[1] = 1;
+  }
+  row = row << 1 | (X[2] & 1);
+  Y[2] = row == 0xB7;
+}
+void plc2() { }
+)";
+  const Workplace work;
+  work.Write("m.cld", kSource);
+  work.Write("m.prop", "Y[1] is 0\nY[2] is 0\n");
+  const Ran ran = work.Run("prove m.cld --property m.prop --counterexamples found --time 60s");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("VIOLATED     Y[1] is 0\n             after 49 periods: "));
+  EXPECT_THAT(ran.out, HasSubstr("VIOLATED     Y[2] is 0\n             after 113 periods: "));
+  ExpectShown(work);
+  // It says so of proved ones, too: with a last code that no byte is.
+  std::string holds(kSource);
+  holds.replace(holds.find("0x77"), 4, "0x177");
+  work.Write("m.cld", holds);
+  work.Write("m.prop", "Y[1] is 0\n");
+  const Ran proved = work.Run("prove m.cld --property m.prop --time 60s");
+  EXPECT_EQ(proved.code, 0) << proved;
+}
+
 // prostep's and technol's programs have loops of which nobody knows how often they go round.
 TEST(ProveRuns, PropertiesOfTheSamples) {
   for (const std::string machine : {"nc110/lathe_16k20", "host50/ck6150", "prostep/mill_fnd32"}) {

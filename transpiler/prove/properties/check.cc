@@ -154,14 +154,15 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
     return true;
   };
   // A long wait is found sooner by waiting.
-  if (window > kMostQuickWindow && (try_runs() || TryCounting(property, result))) return result;
+  if (window > kMostQuickWindow && (try_runs() || (!options_.only_runs && TryCounting(property, result))))
+    return result;
   // After `window` - 1 periods the induction looks at whole windows.
   for (uint32_t period = 1; period <= window; ++period) {
     if (search_runs(period)) return result;
   }
   for (uint32_t k = 1; window + k <= options_.most_periods || k == 1; ++k) {
-    if (TryInduction(property, k, result)) return result;
-    if (!looked_for_invariants && !Late()) {
+    if (!options_.only_runs && TryInduction(property, k, result)) return result;
+    if (!options_.only_runs && !looked_for_invariants && !Late()) {
       looked_for_invariants = true;
       FindInvariantsFor(property);
       if (!invariants_.empty() && TryInduction(property, k, result)) return result;

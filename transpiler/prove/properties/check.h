@@ -79,6 +79,7 @@ struct CheckOptions {
   uint64_t time_ms = 60'000;   // for one property
   uint32_t most_periods = 50;  // of runs from power-on that are computed, and of k
   RetentiveMemory retentive = RetentiveMemory::kZero;
+  bool only_runs = false;  // only runs that violate it are wanted: no proof is tried
   /// Told what is being done, for a progress line; may be empty.
   std::function<void(const std::string& what)> progress;
   /// Tries runs until one violates the property; may be empty. Not asked with any retentive memory.
