@@ -159,7 +159,7 @@ TEST(HncKnownBounds, TheAreasOfInputsAndOutputsAreWholeAreas) {
     ++areas;
     ASSERT_FALSE(space.zones.empty()) << space.name;
     EXPECT_EQ(space.zones.front().begin, 0U) << space.name;
-    EXPECT_EQ(space.zones.front().end, space.bytes) << space.name;
+    EXPECT_EQ(space.zones.front().end, 8 * space.bytes) << space.name;
     const bool input = space.name == "X" || space.name == "F" || space.name == "P";
     const bool output = space.name == "Y" || space.name == "G";
     EXPECT_EQ(space.zones.front().direction, input    ? ir::Direction::kInput

@@ -63,6 +63,44 @@ TEST(Observed, WhatTheProgramWritesIntoTheInputsMayStayThere) {
   EXPECT_TRUE(ComparedTexts(kNc110, read + "U9K7=I0A0*I0A1\n", read + "U9K7=I0A1*I0A0\n").items.empty());
 }
 
+// Lamps of the mode keys: the base software drives U159K6 to U159K13, whatever the program writes into their bytes.
+TEST(Observed, OneBitOfAByteMayBeTheControls) {
+  const std::string lamps = "U159K5=I0A0\nU159K6=I0A0*/I0A0\n";
+  ExpectDifferent(ComparedTexts(kNc110, "$\nU5A0=U159K6*I0A2\n" + lamps, "$\nU5A0=U159K6*I0A3\n" + lamps), "U5A0");
+  // The bit beside it is the program's own, and never 1.
+  const std::string own = "U159K5=I0A0*/I0A0\n";
+  EXPECT_TRUE(ComparedTexts(kNc110, "$\nU5A0=U159K5*I0A2\n" + own, "$\nU5A0=U159K5*I0A3\n" + own).items.empty());
+}
+
+// The NC clears the request O 26.6 when the register of the travelled distance is cleared; O 26.5 is the program's.
+TEST(Observed, OneBitOfAByteMayBeClearedByTheControl) {
+  const auto compared = [](const std::string& bit) {
+    const std::string program =
+        ":MOD PM 9\n:A I 0.1\n@:= O 0.0\n:END PM 9\n:MOD PM 0\n:A I 20.1\n:S " + bit + "\n:S F 251.0\n:END PM 0\n";
+    return ComparedTexts(kProstep, With(program, ""), With(program, ":A " + bit + "\n"));
+  };
+  ExpectDifferent(compared("O 26.6"), "O 0.0");
+  EXPECT_TRUE(compared("O 26.5").items.empty());
+}
+
+// Free memory that the control writes, as the option says: the program's own write is not all that comes there.
+TEST(Observed, OneBitOfAByteMayBeNamedByTheOptionExtern) {
+  const auto compared = [](const std::string& external) {
+    const testing_support::TemporaryDirectory directory;
+    const auto side = [&](const std::string& name, const std::string& input) {
+      compilation::CompilationRequest request;
+      request.sources = {directory.Write(
+          name + ".plc", "$\nU5A0=U100K0*U100K1*" + input + "\nU100K0=I0A0\nU100K1=/I0A0\nU100K7=I0A1\n")};
+      request.options = {{"extern", external}};
+      return MakeDiffSide(name, request);
+    };
+    DiffSide old_side = side("old", "I0A2"), new_side = side("new", "I0A3");
+    return CompareSides(old_side, new_side, {});
+  };
+  ExpectDifferent(compared("U100K0"), "U5A0");
+  EXPECT_TRUE(compared("U100K7").items.empty());
+}
+
 TEST(Observed, TheVerdictNamesWhatOneVersionAloneHasInside) {
   const std::string output = "$\nU4A0=I0A0\n", flag = "U100K0=I0A0\n";
   const Diff gone = ComparedTexts(kNc110, output + flag, output);

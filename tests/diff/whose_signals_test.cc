@@ -15,7 +15,7 @@
 #include "tests/temporary_directory.h"
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/dialects/dialect.h"
-#include "transpiler/symbolic/execute/execute.h"
+#include "transpiler/symbolic/execute/host_writes.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -78,6 +78,11 @@ std::string NameOf(ControlWrite write) {
       return "values";
   }
   return {};
+}
+
+ControlWrite WritesTo(const ir::Space& space, const ir::Place& place) {
+  return place.bit == ir::kNoBit ? execute::WhatControlWrites(space, place.offset)
+                                 : execute::WhatControlWrites(space, place.offset, place.bit);
 }
 
 struct WrittenProgram {
@@ -155,7 +160,7 @@ TEST(WhoseSignals, TheZonesSayWhatTheTablesOfTheControlsSay) {
       if (!at || at->place.is_field() || !at->place.space.valid()) continue;
       ++located;
       const ir::Space& space = compiled.program.spaces[at->place.space];
-      const ControlWrite expected = Expected(row), found = execute::WhatControlWrites(space, at->place.offset);
+      const ControlWrite expected = Expected(row), found = WritesTo(space, at->place);
       if (expected == found) continue;
       EXPECT_TRUE(IsKnown(known, program.dialect, row.address, expected, found))
           << program.dialect << " " << row.address << " " << NameOf(expected) << " " << NameOf(found) << "  "

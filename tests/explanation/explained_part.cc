@@ -9,10 +9,11 @@
 
 #include "transpiler/engines/lockstep.h"
 #include "transpiler/ir/accesses.h"
+#include "transpiler/ir/zones.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/run.h"
-#include "transpiler/symbolic/execute/execute.h"
+#include "transpiler/symbolic/execute/host_writes.h"
 #include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::explanation {
@@ -81,10 +82,10 @@ class Trials {
     }
     for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
       const ir::Space& space = program_.spaces[ir::SpaceId(i)];
-      for (const ir::Zone& zone : space.zones) {
-        if (zone.direction != ir::Direction::kInput) continue;
-        for (uint32_t offset = zone.begin; offset < std::min(zone.end, space.bytes); ++offset) {
-          for (uint8_t bit = 0; bit < 8; ++bit) changes_[subject.cells.OfBit(ir::SpaceId(i), offset, bit).index] = true;
+      for (uint32_t offset = 0; offset < space.bytes; ++offset) {
+        const uint8_t inputs = ir::BitsInZones(space, offset, ir::Direction::kInput);
+        for (uint8_t bit = 0; bit < 8; ++bit) {
+          if ((inputs >> bit & 1) != 0) changes_[subject.cells.OfBit(ir::SpaceId(i), offset, bit).index] = true;
         }
       }
     }
@@ -201,12 +202,13 @@ class Trials {
     const ir::HostAccess access = program_.host_functions[call.function].access;
     for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
       for (uint32_t offset = 0; offset < program_.spaces[ir::SpaceId(i)].bytes; ++offset) {
-        if (!execute::HostWrites(program_, access, ir::SpaceId(i), offset)) continue;
+        const uint8_t written = execute::BitsHostWrites(program_, access, ir::SpaceId(i), offset);
+        if (written == 0) continue;
         ir::Place byte;
         byte.type = ir::Type::kI8;
         byte.space = ir::SpaceId(i);
         byte.offset = offset;
-        simulator.Write(byte, call.memory[i][offset]);
+        simulator.Write(byte, (call.memory[i][offset] & written) | (simulator.Read(byte) & ~uint64_t{written}));
       }
     }
   }

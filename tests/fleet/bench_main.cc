@@ -16,6 +16,7 @@
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/engines/platform.h"
 #include "transpiler/fleet/fleet.h"
+#include "transpiler/ir/zones.h"
 
 namespace {
 
@@ -52,13 +53,11 @@ int Measure(unsigned lanes, uint32_t periods, char** sources, int count) {
     const ir::Space& space = compiled.program.spaces[ir::SpaceId(s)];
     if (!space.host_visible) continue;
     for (uint32_t offset = 0; offset < space.bytes; ++offset) {
-      const bool changes = std::ranges::any_of(space.zones, [offset](const ir::Zone& zone) {
-        return zone.direction == ir::Direction::kInput && offset >= zone.begin && offset < zone.end;
-      });
+      const uint8_t changes = ir::BitsInZones(space, offset, ir::Direction::kInput);
       for (uint8_t bit = 0; bit < 8; ++bit) {
         const std::span<uint64_t> words = fleet.PlaneOf(ir::SpaceId(s), offset, bit);
         for (uint64_t& word : words) word = random();
-        if (changes && !words.empty()) inputs.push_back(words);
+        if ((changes >> bit & 1) != 0 && !words.empty()) inputs.push_back(words);
       }
     }
   }

@@ -17,6 +17,7 @@ constexpr std::string_view kEverything = R"(program "two words" nc110
 space A 32 volatile little host_visible "package A: \"in\" and out"
 zone A 0 4 input
 zone A 4 8 output
+zone A bits 38 40 input
 initial A 5 0xf
 space T 64 retentive big
 space locals 8 routine little

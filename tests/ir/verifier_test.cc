@@ -188,6 +188,9 @@ TEST(Verifier, PlacesLieInsideTheirSpaces) {
   EXPECT_THAT(
       Findings(ReadOrDie("space m 4 volatile little\nzone m 0 5 input\ninitial m 2 1\ninitial m 2 1\ninitial m 4 1\n")),
       ElementsAre("space m: zone outside", "space m: initial values do not ascend", "space m: initial value outside"));
+  EXPECT_THAT(Findings(ReadOrDie("space m 4 volatile little\nzone m bits 30 32 input\n")), ElementsAre());
+  EXPECT_THAT(Findings(ReadOrDie("space m 4 volatile little\nzone m bits 30 33 input\n")),
+              ElementsAre("space m: zone outside"));
 }
 
 TEST(Verifier, RegionsHaveOneOwner) {

@@ -10,6 +10,7 @@
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/uses.h"
 #include "transpiler/support/check.h"
+#include "transpiler/symbolic/execute/host_writes.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 #include "transpiler/symbolic/terms/evaluate.h"
 
@@ -118,8 +119,10 @@ class PartTerms::Watch : public execute::ReplacedParts {
     for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
       const ir::SpaceId space(i);
       for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
-        if (!execute::HostWrites(program_, access, space, offset)) continue;
-        for (uint8_t bit = 0; bit < 8; ++bit) host_own_.insert(part_.cells_.OfBit(space, offset, bit).index);
+        const uint8_t written = execute::BitsHostWrites(program_, access, space, offset);
+        for (uint8_t bit = 0; bit < 8; ++bit) {
+          if ((written >> bit & 1) != 0) host_own_.insert(part_.cells_.OfBit(space, offset, bit).index);
+        }
       }
     }
   }

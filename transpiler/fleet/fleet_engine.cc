@@ -10,6 +10,7 @@
 
 #include "plcxx/texts.h"
 #include "transpiler/fleet/fleet.h"
+#include "transpiler/ir/zones.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::fleet {
@@ -146,10 +147,9 @@ class FleetEngine : public sim::Engine {
         const ir::Space& space = program_.spaces[ir::SpaceId(s)];
         if (!space.host_visible) continue;
         for (uint32_t offset = 0; offset < space.bytes; ++offset) {
-          const bool is_input = std::ranges::any_of(space.zones, [offset](const ir::Zone& zone) {
-            return zone.direction == ir::Direction::kInput && offset >= zone.begin && offset < zone.end;
-          });
-          for (uint8_t bit = 0; (is_input || !inputs_only) && bit < 8; ++bit) {
+          const uint8_t inputs = ir::BitsInZones(space, offset, ir::Direction::kInput);
+          for (uint8_t bit = 0; bit < 8; ++bit) {
+            if (inputs_only && (inputs >> bit & 1) == 0) continue;
             if (fleet_.Holds(ir::SpaceId(s), offset, bit)) noisy_.push_back({ir::SpaceId(s), offset, bit});
           }
         }

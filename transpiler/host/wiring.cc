@@ -12,6 +12,7 @@
 #include "transpiler/diagnostics/host_messages.h"
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/place_names.h"
+#include "transpiler/ir/zones.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::host {
@@ -72,10 +73,7 @@ class Wirer {
            program_.places[id].type != ir::Type::kNone;
   }
   ir::Direction DirectionOf(const ir::Place& place) const {
-    for (const ir::Zone& zone : program_.spaces[place.space].zones) {
-      if (place.offset >= zone.begin && place.offset < zone.end) return zone.direction;
-    }
-    return ir::Direction::kInternal;
+    return ir::DirectionOf(program_.spaces[place.space], place.offset, place.bit == ir::kNoBit ? 0 : place.bit);
   }
   bool IsStored(const ir::Place& place) const {
     const std::vector<bool>& bits = stored_[place.space.index];

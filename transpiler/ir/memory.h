@@ -20,11 +20,11 @@ using StateId = support::Id<struct StateTag>;
 /// and named locals: 0 when a partition begins; a subroutine that touches one shares it with its caller.
 enum class Lifetime : uint8_t { kRoutine, kVolatile, kRetentive };
 enum class ByteOrder : uint8_t { kLittle, kBig };
-/// Who writes a stretch of a space, as the control's documentation draws it.
+/// Who writes a range of a space, as the control's documentation draws it.
 enum class Direction : uint8_t { kInput, kOutput, kInternal };
 
 struct Zone {
-  uint32_t begin = 0;  // bytes, half open
+  uint32_t begin = 0;  // bits, half open (zones.h)
   uint32_t end = 0;
   Direction direction = Direction::kInternal;
 };

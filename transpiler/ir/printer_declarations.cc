@@ -33,7 +33,9 @@ void PrintSpaces(Printer& printer) {
     if (!space.title.empty()) out += ' ' + Quoted(space.title);
     out += '\n';
     for (const Zone& zone : space.zones) {
-      out += "zone " + handle + ' ' + Decimal(zone.begin) + ' ' + Decimal(zone.end) + ' ';
+      const uint32_t unit = zone.begin % 8 == 0 && zone.end % 8 == 0 ? 8 : 1;
+      out += "zone " + handle + (unit == 1 ? " bits " : " ") + Decimal(zone.begin / unit) + ' ' +
+             Decimal(zone.end / unit) + ' ';
       out += text::kDirections[static_cast<size_t>(zone.direction)];
       out += '\n';
     }

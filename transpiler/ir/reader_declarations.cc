@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <charconv>
 
 #include "transpiler/ir/reader_state.h"
+#include "transpiler/ir/zones.h"
 
 namespace plcxx::ir {
 namespace {
@@ -29,7 +31,10 @@ void ReadSpace(Reader& reader) {
 
 void ReadZone(Reader& reader) {
   const SpaceId space = reader.Known(reader.spaces, "space");
+  const bool is_bits = reader.Accept("bits");
   Zone zone{.begin = reader.Number32(), .end = reader.Number32()};
+  constexpr uint32_t kMaxBytes = 0x1FFFFFFF;  // of which the bits can be counted; no space has as many
+  if (!is_bits) zone = ZoneOfBytes(std::min(zone.begin, kMaxBytes), std::min(zone.end, kMaxBytes), zone.direction);
   zone.direction = static_cast<Direction>(reader.OneOf(text::kDirections, "direction"));
   if (!reader.error) reader.program.spaces[space].zones.push_back(zone);
 }

@@ -7,7 +7,8 @@ namespace {
 
 void VerifySpace(Verifier& verifier, const Space& space) {
   for (const Zone& zone : space.zones) {
-    if (zone.begin > zone.end || zone.end > space.bytes) verifier.Report("space " + space.name + ": zone outside");
+    if (zone.begin > zone.end || zone.end > uint64_t{8} * space.bytes)
+      verifier.Report("space " + space.name + ": zone outside");
   }
   for (size_t i = 0; i < space.initial.size(); ++i) {
     if (space.initial[i].offset >= space.bytes) verifier.Report("space " + space.name + ": initial value outside");

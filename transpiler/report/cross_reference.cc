@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/zones.h"
 
 namespace plcxx::report {
 namespace {
@@ -143,11 +144,7 @@ uint32_t Collector::SignalOf(const ir::Place& place) {
     const ir::Space& space = program_.spaces[place.space];
     signal.space = place.space;
     signal.lifetime = space.lifetime;
-    // Of several zones the first one says whose it is.
-    const auto zone = std::ranges::find_if(space.zones, [&signal](const ir::Zone& one) {
-      return one.begin * 8ull <= signal.first && signal.first < one.end * 8ull;
-    });
-    if (zone != space.zones.end()) signal.direction = zone->direction;
+    signal.direction = ir::DirectionOf(space, static_cast<uint32_t>(signal.first / 8), signal.first % 8);
   }
   owner_.push_back(OwnerOf(place));
   result_.signals.push_back(std::move(signal));

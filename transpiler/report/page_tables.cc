@@ -81,6 +81,16 @@ std::string_view DirectionText(ir::Direction direction) {
   return "";
 }
 
+/// "636.6–637.5"; of whole bytes "0–3".
+std::string RangeText(const ir::Zone& zone) {
+  const uint32_t last = zone.end - std::min(zone.end, 1U);
+  const auto text = [&zone](uint32_t bit) {
+    const std::string byte = std::to_string(bit / 8);
+    return zone.begin % 8 == 0 && zone.end % 8 == 0 ? byte : byte + "." + std::to_string(bit % 8);
+  };
+  return text(zone.begin) + "–" + text(last);
+}
+
 /// Bits in use, and a strip that shows where they lie.
 void AppendStrip(const View& view, uint32_t space, std::string& out) {
   const uint64_t bits = uint64_t{view.input.program->spaces[ir::SpaceId(space)].bytes} * 8;
@@ -117,8 +127,8 @@ void AppendSpaces(const View& view, std::string& out) {
            Cell(std::to_string(space.bytes) + " bytes", "td class=\"n\"") + Cell(LifetimeText(space.lifetime)) +
            Cell(space.order == ir::ByteOrder::kBig ? "high byte first" : "low byte first") + "<td>";
     for (const ir::Zone& zone : space.zones) {
-      out += Escape(DirectionText(zone.direction)) + " " + std::to_string(zone.begin) + "–" +
-             std::to_string(zone.end - std::min(zone.end, 1u)) + "<br/>";
+      out += Escape(DirectionText(zone.direction)) + " " + RangeText(zone);
+      out += "<br/>";
     }
     out += "</td>";
     AppendStrip(view, i, out);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "transpiler/support/check.h"
-#include "transpiler/symbolic/execute/execute.h"
+#include "transpiler/symbolic/execute/host_writes.h"
 
 namespace plcxx::scenarios {
 namespace {
@@ -28,17 +28,10 @@ uint64_t Fitting(ir::Type type, uint64_t value) {
 /// Proofs take it that the control writes nothing but what the zones of memory say.
 void CheckWrite(const ir::Space& space, uint32_t offset, uint8_t before, uint8_t value) {
   if (value == before) return;
-  switch (execute::WhatControlWrites(space, offset)) {
-    case execute::ControlWrite::kNothing:
-      PLCXX_CHECK(value == before);
-      return;
-    case execute::ControlWrite::kClears:
-      PLCXX_CHECK((value & ~before) == 0);
-      return;
-    case execute::ControlWrite::kValues:
-      return;
-  }
-  PLCXX_UNREACHABLE();
+  const execute::ControlBits bits = execute::BitsControlWrites(space, offset);
+  const int changed = value ^ before;
+  PLCXX_CHECK((changed & ~(bits.values | bits.clears)) == 0);
+  PLCXX_CHECK((changed & bits.clears & value) == 0);
 }
 
 std::string DeclaredText(const ir::Program& program, uint32_t number) {

@@ -5,6 +5,7 @@
 
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
+#include "transpiler/ir/zones.h"
 #include "transpiler/prove/machine/version.h"
 
 namespace plcxx::soak {
@@ -128,16 +129,14 @@ void WatchPlan::FindOutputs() {
   for (uint32_t i = 0; i < program().spaces.size(); ++i) {
     const ir::Space& space = program().spaces[ir::SpaceId(i)];
     if (!space.host_visible) continue;
-    for (const ir::Zone& zone : space.zones) {
-      if (zone.direction != ir::Direction::kOutput) continue;
-      for (uint32_t offset = zone.begin; offset < zone.end && offset < version.cells.bytes[i]; ++offset) {
-        OutputByte byte{.space = ir::SpaceId(i), .offset = offset};
-        for (uint8_t bit = 0; bit < 8; ++bit) {
-          if (!uses.writes[version.cells.OfBit(byte.space, offset, bit).index]) continue;
-          byte.mask = static_cast<uint8_t>(byte.mask | 1U << bit);
-        }
-        if (byte.mask != 0) outputs_.push_back(byte);
+    for (uint32_t offset = 0; offset < space.bytes && offset < version.cells.bytes[i]; ++offset) {
+      const uint8_t outputs = ir::BitsInZones(space, offset, ir::Direction::kOutput);
+      OutputByte byte{.space = ir::SpaceId(i), .offset = offset};
+      for (uint8_t bit = 0; outputs != 0 && bit < 8; ++bit) {
+        if ((outputs >> bit & 1) == 0 || !uses.writes[version.cells.OfBit(byte.space, offset, bit).index]) continue;
+        byte.mask = static_cast<uint8_t>(byte.mask | 1U << bit);
       }
+      if (byte.mask != 0) outputs_.push_back(byte);
     }
   }
 }

@@ -68,6 +68,13 @@ TEST(Prove, EachKindIsViolatedByARunThatCanBeRepeated) {
   machine.ExpectShown("U4A6 for 3 slow implies I0A5");
 }
 
+// The base software drives the lamp U159K6 (nc110), and not the one beside it.
+TEST(Prove, OneBitOfAByteMayBeTheControls) {
+  const Machine machine("$\nU4A5=U159K6\nU4A6=U159K5\nU159K6=I0A0*/I0A0\nU159K5=I0A0*/I0A0\n");
+  machine.ExpectShown("never U4A5");
+  machine.ExpectProved("never U4A6");
+}
+
 TEST(Prove, AnOutputThatNobodyResetsIsStuck) {
   const Machine machine;
   const Ran ran = machine.Prove("U4A6 is never stuck within 3 slow\n");

@@ -2,7 +2,9 @@
 
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/op.h"
+#include "transpiler/ir/zones.h"
 #include "transpiler/prove/machine/sets.h"
+#include "transpiler/symbolic/execute/host_writes.h"
 
 namespace plcxx::prove::machine {
 
@@ -12,16 +14,13 @@ ir::Direction DirectionOf(const Version& version, execute::CellId id) {
   const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
   if (cell.kind == execute::CellKind::kCalls) return ir::Direction::kOutput;
   if (cell.kind == execute::CellKind::kField) return ir::Direction::kInternal;
-  for (const ir::Zone& zone : version.program->spaces[cell.space].zones) {
-    if (zone.begin <= cell.offset && cell.offset < zone.end) return zone.direction;
-  }
-  return ir::Direction::kInternal;
+  return ir::DirectionOf(version.program->spaces[cell.space], cell.offset, cell.bit);
 }
 
 execute::ControlWrite WhatControlWrites(const Version& version, execute::CellId id) {
   const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
   if (cell.kind != execute::CellKind::kBit) return execute::ControlWrite::kNothing;
-  return execute::WhatControlWrites(version.program->spaces[cell.space], cell.offset);
+  return execute::WhatControlWrites(version.program->spaces[cell.space], cell.offset, cell.bit);
 }
 
 bool IsState(const Version& version, execute::CellId id) {

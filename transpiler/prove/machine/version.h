@@ -19,7 +19,7 @@ struct Version {
 };
 Version MakeVersion(const ir::Program& program);
 
-/// How the host uses a cell: bits by the zone of their byte; fields are internal, calls go out.
+/// How the host uses a cell: bits by their zone; fields are internal, calls go out.
 ir::Direction DirectionOf(const Version& version, execute::CellId cell);
 /// What the control does to it beside the program; nothing to what is no bit of memory.
 execute::ControlWrite WhatControlWrites(const Version& version, execute::CellId cell);

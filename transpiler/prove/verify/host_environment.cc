@@ -51,15 +51,16 @@ void HostEnvironment::WriteState(CodeMemory& memory, const ir::HostFunction& hos
     const ir::SpaceId space(s);
     for (uint32_t offset = 0; offset < emittable_.layout.bytes[s].size(); ++offset) {
       const emit::layout::ByteStorage& stored = emittable_.layout.bytes[s][offset];
-      if (!execute::MayWrite(program, host, space, offset)) continue;
+      const uint8_t may_write = execute::BitsMayWrite(program, host, space, offset);
+      if (may_write == 0) continue;
       const std::string& name = program.spaces[space].name;
       const terms::TermId byte = execute::ByteFromHost(terms_, host.name, calls, name, offset);
       const terms::TermId written = execute::BitsWrittenByHost(terms_, host.name, calls, name, offset);
-      const bool only_clears =
-          execute::WhatControlWrites(program.spaces[space], offset) == execute::ControlWrite::kClears;
+      const uint8_t clears = execute::BitsControlWrites(program.spaces[space], offset).clears;
       // What the code has written there stays where the host leaves the bit.
       const auto after = [&](uint8_t bit, terms::TermId told, terms::TermId before) {
-        if (only_clears) return terms_.And(told, before);
+        if ((may_write >> bit & 1) == 0) return before;
+        if ((clears >> bit & 1) != 0) return terms_.And(told, before);
         return terms_.Ite(terms_.Extract(written, bit, 1), told, before);
       };
       if (stored.whole.storage != emit::layout::Storage::kNone) {
@@ -71,7 +72,7 @@ void HostEnvironment::WriteState(CodeMemory& memory, const ir::HostFunction& hos
         continue;
       }
       for (uint8_t bit = 0; bit < 8; ++bit) {
-        if (stored.bits[bit].storage == emit::layout::Storage::kNone) continue;
+        if (stored.bits[bit].storage == emit::layout::Storage::kNone || (may_write >> bit & 1) == 0) continue;
         const uint32_t slot = stored.bits[bit].offset;
         memory.Write(slot, after(bit, terms_.Zext(terms_.Extract(byte, bit, 1), 8), memory.Read(slot)));
       }
@@ -95,7 +96,7 @@ void HostEnvironment::WriteRetentive(CodeMemory& memory, uint32_t slot, const ir
   for (uint32_t s = 0; s < emittable_.layout.bytes.size(); ++s) {
     const ir::SpaceId space(s);
     for (uint32_t offset = 0; offset < emittable_.layout.bytes[s].size(); ++offset) {
-      if (execute::MayWrite(program, host, space, offset))
+      if (execute::BitsMayWrite(program, host, space, offset) != 0)
         write(emittable_.layout.bytes[s][offset].whole.offset, StoredByte(terms_, program.spaces[space].name, offset));
     }
   }

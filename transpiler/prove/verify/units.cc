@@ -136,8 +136,10 @@ void UnitMaker::NoteHost(Footprint& footprint, const ir::Call& call) const {
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
     const ir::SpaceId space(i);
     for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
-      if (!execute::MayWrite(program_, host, space, offset)) continue;
-      for (uint8_t bit = 0; bit < 8; ++bit) NoteCell(footprint, cells_.OfBit(space, offset, bit), true);
+      const uint8_t written = execute::BitsMayWrite(program_, host, space, offset);
+      for (uint8_t bit = 0; bit < 8; ++bit) {
+        if ((written >> bit & 1) != 0) NoteCell(footprint, cells_.OfBit(space, offset, bit), true);
+      }
     }
   }
 }

@@ -255,10 +255,14 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
     const ir::SpaceId space(i);
     for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
-      if (!MayWrite(program_, host, space, offset)) continue;
-      const bool only_clears = host.access == ir::HostAccess::kWritesState &&
-                               WhatControlWrites(program_.spaces[space], offset) == ControlWrite::kClears;
+      const uint8_t may_write = BitsMayWrite(program_, host, space, offset);
+      if (may_write == 0) continue;
+      const uint8_t clears = host.access == ir::HostAccess::kWritesState
+                                 ? BitsControlWrites(program_.spaces[space], offset).clears
+                                 : uint8_t{0};
       for (uint8_t bit = 0; bit < 8; ++bit) {
+        if ((may_write >> bit & 1) == 0) continue;
+        const bool only_clears = (clears >> bit & 1) != 0;
         const CellId cell = memory_.cells().OfBit(space, offset, bit);
         if (is_exchanged && !is_exchanged(cell)) continue;
         if (restores) {

@@ -1,11 +1,13 @@
 // Host calls as functions of what the host has been told.
-#include <algorithm>
 #include <string>
 
+#include "transpiler/ir/zones.h"
 #include "transpiler/symbolic/execute/host_writes.h"
 
 namespace plcxx::execute {
 namespace {
+
+constexpr uint8_t kAllBits = 0xFF;
 
 terms::TermId Named(terms::Terms& terms, std::string_view what, std::string_view function, uint8_t width,
                     std::span<const terms::TermId> arguments) {
@@ -62,42 +64,71 @@ bool HostSees(ir::HostAccess access, const ir::Space& space) {
   PLCXX_UNREACHABLE();
 }
 
-bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId id, uint32_t offset) {
+uint8_t BitsHostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId id, uint32_t offset) {
   const ir::Space& space = program.spaces[id];
   switch (access) {
     case ir::HostAccess::kNone:
     case ir::HostAccess::kReadsState:
     case ir::HostAccess::kReadsRetentive:
-      return false;
+      return 0;
     case ir::HostAccess::kWritesRetentive:
-      return space.lifetime == ir::Lifetime::kRetentive;
-    case ir::HostAccess::kWritesState:
-      return WhatControlWrites(space, offset) != ControlWrite::kNothing;
+      return space.lifetime == ir::Lifetime::kRetentive ? kAllBits : uint8_t{0};
+    case ir::HostAccess::kWritesState: {
+      const ControlBits bits = BitsControlWrites(space, offset);
+      return static_cast<uint8_t>(bits.values | bits.clears);
+    }
   }
   PLCXX_UNREACHABLE();
 }
 
-bool MayWrite(const ir::Program& program, const ir::HostFunction& host, ir::SpaceId id, uint32_t offset) {
-  if (!HostWrites(program, host.access, id, offset)) return false;
-  if (host.routine_exchange || host.access != ir::HostAccess::kWritesState) return true;
+bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset) {
+  return BitsHostWrites(program, access, space, offset) != 0;
+}
+
+uint8_t BitsMayWrite(const ir::Program& program, const ir::HostFunction& host, ir::SpaceId id, uint32_t offset) {
+  const uint8_t written = BitsHostWrites(program, host.access, id, offset);
+  if (written == 0 || host.routine_exchange || host.access != ir::HostAccess::kWritesState) return written;
   const ir::Space& space = program.spaces[id];
-  const auto first = std::ranges::find_if(
-      space.zones, [offset](const ir::Zone& zone) { return zone.begin <= offset && offset < zone.end; });
-  return first->direction != ir::Direction::kInput;
+  uint8_t bits = written;
+  for (uint8_t bit = 0; bit < 8; ++bit) {
+    if (ir::DirectionOf(space, offset, bit) == ir::Direction::kInput) bits = static_cast<uint8_t>(bits & ~(1u << bit));
+  }
+  return bits;
+}
+
+ControlBits BitsControlWrites(const ir::Space& space, uint32_t offset) {
+  // What is in no zone is the program's own: people may look at it, the control does not write it.
+  ControlBits bits;
+  if (!space.host_visible) return bits;
+  uint8_t earlier = 0;  // bits that a zone has said whose they are
+  for (const ir::Zone& zone : space.zones) {
+    const uint8_t own = ir::BitsOfZone(zone, offset);
+    switch (zone.direction) {
+      case ir::Direction::kInput:
+        bits.values = static_cast<uint8_t>(bits.values | own);
+        break;
+      case ir::Direction::kInternal:
+        bits.clears = static_cast<uint8_t>(bits.clears | (own & earlier));
+        break;
+      case ir::Direction::kOutput:
+        break;
+    }
+    earlier = static_cast<uint8_t>(earlier | own);
+  }
+  bits.clears = static_cast<uint8_t>(bits.clears & ~bits.values);
+  return bits;
 }
 
 ControlWrite WhatControlWrites(const ir::Space& space, uint32_t offset) {
-  // What is in no zone is the program's own: people may look at it, the control does not write it.
-  ControlWrite write = ControlWrite::kNothing;
-  bool is_first = true;
-  if (!space.host_visible) return write;
-  for (const ir::Zone& zone : space.zones) {
-    if (offset < zone.begin || offset >= zone.end) continue;
-    if (zone.direction == ir::Direction::kInput) return ControlWrite::kValues;
-    if (!is_first && zone.direction == ir::Direction::kInternal) write = ControlWrite::kClears;
-    is_first = false;
-  }
-  return write;
+  const ControlBits bits = BitsControlWrites(space, offset);
+  if (bits.values != 0) return ControlWrite::kValues;
+  return bits.clears != 0 ? ControlWrite::kClears : ControlWrite::kNothing;
+}
+
+ControlWrite WhatControlWrites(const ir::Space& space, uint32_t offset, uint8_t bit) {
+  const ControlBits bits = BitsControlWrites(space, offset);
+  if ((bits.values >> bit & 1) != 0) return ControlWrite::kValues;
+  return (bits.clears >> bit & 1) != 0 ? ControlWrite::kClears : ControlWrite::kNothing;
 }
 
 }  // namespace plcxx::execute

@@ -13,7 +13,7 @@ class PinStub final : public dialects::ControlStub {
   explicit PinStub(const ir::Program& program) {
     for (const Group group : {Group::kBits, Group::kWords, Group::kFloats}) {
       for (const ir::Zone& zone : program.spaces[SpaceOf(group)].zones) {
-        if (zone.direction == ir::Direction::kInput) inputs_.push_back({SpaceOf(group), zone.begin, zone.end});
+        if (zone.direction == ir::Direction::kInput) inputs_.push_back({SpaceOf(group), zone.begin / 8, zone.end / 8});
       }
     }
     for (const Stretch& stretch : inputs_) bytes_.emplace_back(stretch.end - stretch.begin);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "transpiler/ir/zones.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::classicladder {
@@ -75,7 +76,7 @@ std::pair<std::string_view, std::string_view> NameAndTitle(Group group) {
 /// Inputs and outputs of the flat arrays.
 std::vector<ir::Zone> ZonesOf(Group group, const Sizes& sizes, uint32_t bytes) {
   const bool bits = group == Group::kBits, floats = group == Group::kFloats;
-  if (!bits && !floats && group != Group::kWords) return {{.begin = 0, .end = bytes}};
+  if (!bits && !floats && group != Group::kWords) return {ir::ZoneOfBytes(0, bytes, ir::Direction::kInternal)};
   const VariableKind input = floats ? VariableKind::kFloatInput
                              : bits ? VariableKind::kInput
                                     : VariableKind::kWordInput;
@@ -86,13 +87,13 @@ std::vector<ir::Zone> ZonesOf(Group group, const Sizes& sizes, uint32_t bytes) {
   const uint32_t inputs = stride * IndexOf({input, 0}, sizes), outputs = stride * IndexOf({output, 0}, sizes);
   const uint32_t end = outputs + stride * CountOf(output, sizes);
   std::vector<ir::Zone> zones;
-  if (inputs > 0) zones.push_back({.begin = 0, .end = inputs});
-  zones.push_back({.begin = inputs, .end = outputs, .direction = ir::Direction::kInput});
-  zones.push_back({.begin = outputs, .end = end, .direction = ir::Direction::kOutput});
+  if (inputs > 0) zones.push_back(ir::ZoneOfBytes(0, inputs, ir::Direction::kInternal));
+  zones.push_back(ir::ZoneOfBytes(inputs, outputs, ir::Direction::kInput));
+  zones.push_back(ir::ZoneOfBytes(outputs, end, ir::Direction::kOutput));
   // SizesOf tells the version by this zone.
   const uint32_t system = floats ? 0 : stride * CountOf(VariableKind::kSystem, sizes);
-  if (system > 0) zones.push_back({.begin = end, .end = end + system});
-  if (end + system < bytes) zones.push_back({.begin = end + system, .end = bytes});
+  if (system > 0) zones.push_back(ir::ZoneOfBytes(end, end + system, ir::Direction::kInternal));
+  if (end + system < bytes) zones.push_back(ir::ZoneOfBytes(end + system, bytes, ir::Direction::kInternal));
   return zones;
 }
 
@@ -124,7 +125,7 @@ Sizes SizesOf(const ir::Program& program) {
   const auto count = [&](Group group) { return program.spaces[SpaceOf(group)].bytes / StrideOf(group); };
   const auto zone = [&](Group group, ir::Direction direction) {
     for (const ir::Zone& each : program.spaces[SpaceOf(group)].zones) {
-      if (each.direction == direction) return (each.end - each.begin) / StrideOf(group);
+      if (each.direction == direction) return (each.end - each.begin) / 8 / StrideOf(group);
     }
     return uint32_t{0};
   };

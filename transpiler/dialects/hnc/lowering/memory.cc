@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "transpiler/dialects/hnc/machine/machine.h"
+#include "transpiler/ir/zones.h"
 
 namespace plcxx::hnc {
 
@@ -18,15 +19,15 @@ ir::Zone ZoneOf(Area area, uint32_t bytes) {
     case Area::kX:
     case Area::kF:
     case Area::kP:
-      return {0, bytes, ir::Direction::kInput};
+      return ir::ZoneOfBytes(0, bytes, ir::Direction::kInput);
     case Area::kY:
     case Area::kG:
-      return {0, bytes, ir::Direction::kOutput};
+      return ir::ZoneOfBytes(0, bytes, ir::Direction::kOutput);
     case Area::kR:
     case Area::kB:
       break;
   }
-  return {0, bytes, ir::Direction::kInternal};
+  return ir::ZoneOfBytes(0, bytes, ir::Direction::kInternal);
 }
 
 /// What the control writes in G beside the program: it takes from the way of an axis what it has executed (7.4), and
@@ -36,8 +37,7 @@ void AddAxisZones(ir::Space& space, SysfuncOption sysfunc) {
   const bool is_host = sysfunc == SysfuncOption::kHost;
   for (uint32_t axis = 0; axis < kAxes; ++axis) {
     const uint32_t begin = kAxisBytes * axis + (is_host ? 0 : kWay);
-    space.zones.push_back(
-        {.begin = begin, .end = begin + (is_host ? kWrittenBytes : kWayBytes), .direction = ir::Direction::kInput});
+    space.zones.push_back(ir::ZoneOfBytes(begin, begin + (is_host ? kWrittenBytes : kWayBytes), ir::Direction::kInput));
   }
 }
 
@@ -273,7 +273,7 @@ std::array<ir::PlaceId, 4> Memory::AddInputs(const std::string& name, const std:
     places[i] = AddScalar(name + "_" + number, type);
     program_.places[places[i]].address = address + "[" + number + "]";
   }
-  program_.spaces[system_].zones.push_back({.begin = begin, .end = system_bytes_, .direction = ir::Direction::kInput});
+  program_.spaces[system_].zones.push_back(ir::ZoneOfBytes(begin, system_bytes_, ir::Direction::kInput));
   return places;
 }
 

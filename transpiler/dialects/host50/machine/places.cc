@@ -4,6 +4,7 @@
 #include <array>
 
 #include "transpiler/dialects/host50/machine/addresses.h"
+#include "transpiler/ir/zones.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::host50 {
@@ -78,7 +79,7 @@ ir::Space AreaSpace(Area area, uint32_t last, ir::Lifetime lifetime) {
     space.title += ", 0 to " + std::to_string(last) + ", retentive";
     space.name += "_retentive";
   }
-  space.zones.push_back({.begin = 0, .end = space.bytes, .direction = DirectionOf(info)});
+  space.zones.push_back(ir::ZoneOfBytes(0, space.bytes, DirectionOf(info)));
   return space;
 }
 

@@ -9,7 +9,7 @@ Translation::Translation(const Program& program_tree, const Settings& options, c
   program.statements.Reserve(statements);
   program.insts.Reserve(exprs + 4 * statements + 64);
   program.regions.Reserve(2 * size_t{tree.blocks.size()} + tree.mux_inputs.size() + 16);
-  AddSpaces(program, settings.processes, settings.t_initial);
+  AddSpaces(program, settings.processes, settings.t_initial, settings.external);
 }
 
 Context::Context(Translation& translation) : ContextFrame(translation), part_(translation.part) {}

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "transpiler/ir/zones.h"
+
 namespace plcxx::nc110 {
 namespace {
 
@@ -32,6 +34,22 @@ constexpr ZoneRow kZones[] = {
 };
 constexpr ZoneRow kProcessZones[] = {
 #define NC110_PROCESS_ZONE(Letter, First, Last, Dir) {Package::k##Letter, First, Last, ir::Direction::Dir},
+#include "transpiler/dialects/nc110/machine/machine.def"
+};
+
+struct SharedRow {
+  Package package;
+  uint32_t connector, first, last;  // bits
+  ir::Direction write;
+};
+constexpr SharedRow kShared[] = {
+#define NC110_SHARED(Letter, Connector, First, Last, Write) \
+  {Package::k##Letter, Connector, First, Last, ir::Direction::Write},
+#include "transpiler/dialects/nc110/machine/machine.def"
+};
+constexpr SharedRow kProcessShared[] = {
+#define NC110_PROCESS_SHARED(Letter, Connector, First, Last, Write) \
+  {Package::k##Letter, Connector, First, Last, ir::Direction::Write},
 #include "transpiler/dialects/nc110/machine/machine.def"
 };
 
@@ -74,12 +92,28 @@ std::optional<uint32_t> InProcess1(Package package, uint32_t connector, uint32_t
   return connector % kProcessConnectors;
 }
 
-constexpr uint32_t kTakenBackConnector = 10;  // of N
-
 void AddZone(ir::Space& space, const ZoneRow& zone, uint32_t shift) {
-  space.zones.push_back({.begin = (zone.first + shift) * kBytesPerConnector,
-                         .end = (zone.last + shift + 1) * kBytesPerConnector,
-                         .direction = zone.direction});
+  space.zones.push_back(ir::ZoneOfBytes((zone.first + shift) * kBytesPerConnector,
+                                        (zone.last + shift + 1) * kBytesPerConnector, zone.direction));
+}
+
+/// A second zone, see execute::ControlWrite.
+void AddShared(ir::Space& space, const SharedRow& row, uint32_t shift) {
+  const uint32_t connector = 8 * kBytesPerConnector * (row.connector + shift);
+  space.zones.push_back({.begin = connector + row.first, .end = connector + row.last + 1, .direction = row.write});
+}
+
+/// What the control writes beside the program (option `extern`). Where the manual says nobody's, it stays internal.
+void AddExternal(ir::Space& space, const Operand& operand) {
+  const bool is_word = operand.kind == OperandKind::kWord;
+  const uint32_t byte = ByteOf(operand);
+  const uint32_t begin = is_word ? 8 * byte : 8 * kBytesPerConnector * operand.number + operand.index;
+  uint8_t known = 0;  // bits of the byte that are in a zone
+  for (const ir::Zone& zone : space.zones) known = static_cast<uint8_t>(known | ir::BitsOfZone(zone, byte));
+  ir::Zone zone{.begin = begin, .end = begin + (is_word ? 8 : 1), .direction = ir::Direction::kInternal};
+  if ((BitsOf(operand) & ~known) != 0) space.zones.push_back(zone);
+  zone.direction = ir::Direction::kInput;
+  space.zones.push_back(zone);
 }
 
 }  // namespace
@@ -139,7 +173,8 @@ TimerBase BaseOfTimer(uint32_t number) {
   PLCXX_UNREACHABLE();
 }
 
-void AddSpaces(ir::Program& program, uint32_t processes, const std::optional<uint8_t> (&t_initial)[kRetainedBytes]) {
+void AddSpaces(ir::Program& program, uint32_t processes, const std::optional<uint8_t> (&t_initial)[kRetainedBytes],
+               std::span<const Operand> external) {
   for (const PackageRow& row : kPackages) {
     ir::Space space{.name = std::string(row.name),
                     .title = std::string(row.title),
@@ -154,10 +189,16 @@ void AddSpaces(ir::Program& program, uint32_t processes, const std::optional<uin
     for (const ZoneRow& zone : kZones) {
       if (zone.package == row.package) AddZone(space, zone, 0);
     }
-    for (uint32_t process = 0; row.package == Package::kN && process < processes; ++process) {
-      // The control takes the request U10N5 back (5.3): a second zone, see execute::ControlWrite.
-      const uint32_t begin = (kTakenBackConnector + process * kProcessConnectors) * kBytesPerConnector;
-      space.zones.push_back({.begin = begin, .end = begin + 1, .direction = ir::Direction::kInternal});
+    for (uint32_t process = 0; process < processes; ++process) {
+      for (const SharedRow& shared : kProcessShared) {
+        if (shared.package == row.package) AddShared(space, shared, process * kProcessConnectors);
+      }
+    }
+    for (const SharedRow& shared : kShared) {
+      if (shared.package == row.package) AddShared(space, shared, 0);
+    }
+    for (const Operand& operand : external) {
+      if (IsMemory(operand) && operand.package == row.package) AddExternal(space, operand);
     }
     if (row.lifetime == ir::Lifetime::kRetentive) {
       for (uint32_t i = 0; i < kRetainedBytes; ++i) {

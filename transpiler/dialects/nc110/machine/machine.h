@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "transpiler/dialects/nc110/machine/operands.h"
 #include "transpiler/ir/program.h"
@@ -45,7 +46,8 @@ struct TimerBase {
 };
 TimerBase BaseOfTimer(uint32_t number);
 
-/// Adds the spaces of SpaceIndex to an empty program.
-void AddSpaces(ir::Program& program, uint32_t processes, const std::optional<uint8_t> (&t_initial)[kRetainedBytes]);
+/// Adds the spaces of SpaceIndex to an empty program. `external` is memory that the control writes (option `extern`).
+void AddSpaces(ir::Program& program, uint32_t processes, const std::optional<uint8_t> (&t_initial)[kRetainedBytes],
+               std::span<const Operand> external);
 
 }  // namespace plcxx::nc110

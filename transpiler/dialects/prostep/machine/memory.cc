@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "transpiler/ir/zones.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::prostep {
@@ -40,17 +41,20 @@ struct NcRow {
   Space space;
   uint32_t first, last;  // bytes
   NcWrites what;
+  uint8_t first_bit = 0, last_bit = 7;  // of the first and the last one
 };
 constexpr NcRow kNcRows[] = {
-    {Space::kF, 200, 212, NcWrites::kSignals},  // M, S, T and E functions
-    {Space::kF, 213, 221, NcWrites::kClears},   // messages
-    {Space::kF, 252, 255, NcWrites::kSignals},  // soft keys
-    {Space::kO, 162, 162, NcWrites::kValues},   // R parameter: done, error
-    {Space::kO, 232, 255, NcWrites::kValues},   //
-    {Space::kD, 200, 219, NcWrites::kValues},   //
-    {Space::kD, 228, 235, NcWrites::kValues},   // path that was travelled
+    {Space::kF, 200, 212, NcWrites::kSignals},       // M, S, T and E functions
+    {Space::kF, 213, 221, NcWrites::kClears},        // messages
+    {Space::kF, 252, 255, NcWrites::kSignals},       // soft keys
+    {Space::kO, 162, 162, NcWrites::kValues, 0, 1},  // R parameter: done, error
+    {Space::kO, 232, 255, NcWrites::kValues},        //
+    {Space::kD, 200, 219, NcWrites::kValues},        //
+    {Space::kD, 228, 235, NcWrites::kValues},        // path that was travelled
 };
 constexpr uint32_t kAxes = 9, kFirstAxisWord = 26, kBytesPerAxisWord = 2;
+constexpr uint32_t kAxesWithDistance = 4;  // that have a register of the travelled distance
+constexpr uint8_t kJogMinus = 6, kJogPlus = 7, kClearDistance = 6;
 constexpr uint32_t kPlcAxes = 5, kFirstAxisControl = 106, kBytesPerAxis = 10;  // each two bytes
 
 Space NcSpaceOf(SpaceKey key) {
@@ -84,24 +88,27 @@ std::vector<ir::Zone> ZonesOf(Space space, uint32_t begin, uint32_t bytes, ir::D
     if (row.space != space || from >= to) return;
     if (row.what != NcWrites::kSignals) {
       const bool clears = row.what == NcWrites::kClears;
-      shared.push_back({from, to, clears ? ir::Direction::kInternal : ir::Direction::kInput});
+      shared.push_back({.begin = 8 * from + row.first_bit,
+                        .end = 8 * (to - 1) + row.last_bit + 1,
+                        .direction = clears ? ir::Direction::kInternal : ir::Direction::kInput});
       return;
     }
-    if (next < from) zones.push_back({next, from, direction});
-    zones.push_back({from, to, ir::Direction::kInput});
+    if (next < from) zones.push_back(ir::ZoneOfBytes(next, from, direction));
+    zones.push_back(ir::ZoneOfBytes(from, to, ir::Direction::kInput));
     next = to;
   };
   for (const NcRow& row : kNcRows) add(row);
   for (uint32_t axis = 0; axis < kAxes; ++axis) {
     // While a PLC axis is homed the NC uses the jog bits itself (8.7); parameters say which axis it is.
-    const uint32_t jog = kFirstAxisWord + kBytesPerAxisWord * axis + 1;
-    add({Space::kO, jog, jog, NcWrites::kValues});
+    const uint32_t word = kFirstAxisWord + kBytesPerAxisWord * axis, jog = word + 1;
+    add({Space::kO, jog, jog, NcWrites::kValues, kJogMinus, kJogPlus});
+    if (axis < kAxesWithDistance) add({Space::kO, word, word, NcWrites::kClears, kClearDistance, kClearDistance});
   }
   for (uint32_t axis = 0; axis < kPlcAxes; ++axis) {
     const uint32_t control = kFirstAxisControl + kBytesPerAxis * axis;
     add({Space::kO, control, control + 1, NcWrites::kClears});
   }
-  if (next < bytes) zones.push_back({next, bytes, direction});
+  if (next < bytes) zones.push_back(ir::ZoneOfBytes(next, bytes, direction));
   zones.insert(zones.end(), shared.begin(), shared.end());
   return zones;
 }

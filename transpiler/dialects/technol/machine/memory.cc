@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "transpiler/ir/zones.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::technol {
@@ -38,13 +39,13 @@ constexpr SpaceRow kSpaceRows[] = {
 /// Who writes the system cells (5.2). The requests are the program's, the NC takes them back; the starts of functions
 /// are the NC's, the scheduler takes them back.
 constexpr ir::Zone kSystemZones[] = {
-    {.begin = 0, .end = 1, .direction = ir::Direction::kInput},     // MATTL
-    {.begin = 1, .end = 4, .direction = ir::Direction::kOutput},    // BZH11, BZH21, BZH22
-    {.begin = 4, .end = 5, .direction = ir::Direction::kInput},     // UPS_STAT
-    {.begin = 5, .end = 6, .direction = ir::Direction::kOutput},    // UPS_CMD
-    {.begin = 6, .end = 7, .direction = ir::Direction::kInput},     // UPS_FAULT
-    {.begin = 7, .end = 8, .direction = ir::Direction::kInternal},  // SYSREQ
-    {.begin = 8, .end = 9, .direction = ir::Direction::kInput},     // SYSNC
+    ir::ZoneOfBytes(0, 1, ir::Direction::kInput),     // MATTL
+    ir::ZoneOfBytes(1, 4, ir::Direction::kOutput),    // BZH11, BZH21, BZH22
+    ir::ZoneOfBytes(4, 5, ir::Direction::kInput),     // UPS_STAT
+    ir::ZoneOfBytes(5, 6, ir::Direction::kOutput),    // UPS_CMD
+    ir::ZoneOfBytes(6, 7, ir::Direction::kInput),     // UPS_FAULT
+    ir::ZoneOfBytes(7, 8, ir::Direction::kInternal),  // SYSREQ
+    ir::ZoneOfBytes(8, 9, ir::Direction::kInput),     // SYSNC
 };
 constexpr uint32_t kRegisterBytes = 4096;
 
@@ -77,12 +78,11 @@ Memory::Memory(ir::Program& program, const Sizes& sizes) {
                     .lifetime = row.lifetime,
                     .host_visible = row.host_visible};
     if (space.bytes == 0) continue;
-    if (row.host_visible) space.zones = {{.begin = 0, .end = space.bytes, .direction = row.direction}};
+    if (row.host_visible) space.zones = {ir::ZoneOfBytes(0, space.bytes, row.direction)};
     if (row.key == SpaceKey::kSys) space.zones.assign(std::begin(kSystemZones), std::end(kSystemZones));
     // The loader writes another table, and the operator chooses a row of it, while the program runs (5.1, 5.4): a
     // second zone, see execute::ControlWrite.
-    if (row.key == SpaceKey::kTabTechnol)
-      space.zones.push_back({.begin = 0, .end = space.bytes, .direction = ir::Direction::kInput});
+    if (row.key == SpaceKey::kTabTechnol) space.zones.push_back(ir::ZoneOfBytes(0, space.bytes, ir::Direction::kInput));
     spaces_[static_cast<size_t>(row.key)] = program.spaces.Add(std::move(space));
   }
 }
