@@ -264,6 +264,12 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
     at_power_on = !any_separated();
     if (!FindInductiveSet(comparison, {.most_rounds = 1})) return finish_early();
   }
+  // Equal at power-on, after a failure of power and after each part from every state in which all is equal.
+  if (at_power_on && comparison.is_inductive && !any_separated()) {
+    comparison.changes_are_found = true;  // there are none
+    SetVerdicts(comparison);
+    return Finish(comparison, constants);
+  }
   // Of a change that reaches very much only its reach is found out, not what is masked inside.
   std::vector<execute::CellId> reach;
   if (at_power_on) {

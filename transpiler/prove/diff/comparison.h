@@ -17,6 +17,14 @@
 
 namespace plcxx::prove::diff {
 
+/// What a part was executed to, over the variables of a pairing.
+struct Execution {
+  enum class Of : uint8_t { kPowerOn, kPeriod, kFast };
+  Of of = Of::kPowerOn;
+  std::vector<bool> equal;                         // by old cell, as the pairing had it
+  std::array<machine::Transition, 2> transitions;  // old, new
+};
+
 struct Comparison {
   Comparison(const machine::Version& old_version, const machine::Version& new_version, const Match& match,
              const SimulatedRuns& runs, const CompareLimits& limits);
@@ -44,6 +52,7 @@ struct Comparison {
   std::vector<uint32_t> result_of_old;     // by old cell; kNone: it is none
   machine::Transition old_next, new_next;  // of the last period, over the pairing's variables
   uint64_t execution_ms = 0;               // that the last execution of a part took
+  std::vector<Execution> executions;       // the last ones with these constants, newest first
   std::unique_ptr<invariants::InvariantFinder> old_finder, new_finder;
   std::chrono::steady_clock::time_point deadline;
   std::function<void()> before_questions;  // called once, before the solver is asked anything

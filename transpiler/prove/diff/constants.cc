@@ -133,6 +133,7 @@ bool FindConstants(Comparison& comparison) {
     sides[1].AddPart(comparison.new_next);
   }
   comparison.pairing.SetConstants(sides[0].Find(), sides[1].Find());
+  comparison.executions.clear();
   return true;
 }
 

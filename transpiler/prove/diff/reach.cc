@@ -115,6 +115,7 @@ std::optional<std::vector<execute::CellId>> ReachOfDifferences(Comparison& compa
   for (const PairResult& result : comparison.results) {
     if (!comparison.pairing.IsEqual(result.old_cell)) separated.push_back(result.old_cell);
   }
+  if (separated.empty()) return all;
   // The variables are those of the execution, in which everything was equal.
   for (const execute::CellId cell : separated) comparison.pairing.Join(cell);
   Reach reach(comparison);

@@ -3,6 +3,7 @@
 
 #include "transpiler/symbolic/execute/executor.h"
 #include "transpiler/symbolic/meaning/meaning.h"
+#include "transpiler/symbolic/terms/known_bits.h"
 #include "transpiler/symbolic/terms/look_up.h"
 
 namespace plcxx::execute {
@@ -21,9 +22,44 @@ bool IsPresent(const ir::Program& program, const ir::Place& place) {
   return place.indexed || uint64_t{place.offset} + bytes <= program.spaces[place.space].bytes;
 }
 
-/// Calls `visit(index, element)` for every index whose element lies wholly inside the bounds of an indexed place.
+/// What is known of an index without a question: a register that has only a few bits, a table's row of eight bytes.
+class KnownIndex {
+ public:
+  explicit KnownIndex(const terms::Terms& terms) : terms_(terms) {}
+
+  terms::KnownBits Of(terms::TermId id) {
+    const terms::Term& term = terms_[id];
+    if (terms_.IsConst(id)) return terms::AllKnown(terms_.Value(id), term.width);
+    // What a single bit depends on may be all of the program.
+    if (term.width == 1) return {};
+    const auto before = std::ranges::find(known_, id, &Known::id);
+    if (before != known_.end()) return before->bits;
+    if (++visited_ > kMostTerms) return {};
+    const terms::KnownBits bits = terms::KnownBitsOf(
+        terms_, term, [this](terms::TermId operand) { return Of(operand); },
+        [](uint32_t) { return terms::KnownBits(); });
+    known_.push_back({id, bits});
+    return bits;
+  }
+
+ private:
+  static constexpr uint32_t kMostTerms = 100;
+  struct Known {
+    terms::TermId id;
+    terms::KnownBits bits;
+  };
+
+  const terms::Terms& terms_;
+  std::vector<Known> known_;
+  uint32_t visited_ = 0;
+};
+
+/// Calls `visit(index, element)` for every index whose element lies wholly inside the bounds of an indexed place, and
+/// which the term may be.
 template <class Visit>
-void ForEachElement(const ir::Program& program, const ir::Place& place, Visit&& visit) {
+void ForEachElement(const terms::Terms& terms, const ir::Program& program, const ir::Place& place, terms::TermId at,
+                    Visit&& visit) {
+  constexpr uint8_t kIndexBits = 32;
   const int64_t high = std::min<int64_t>(place.high, program.spaces[place.space].bytes);
   const int64_t stride = place.stride, bytes = ir::Bytes(place.type);
   if (stride == 0) return;
@@ -32,9 +68,19 @@ void ForEachElement(const ir::Program& program, const ir::Place& place, Visit&& 
   int64_t index = below >= 0 ? (below + stride - 1) / stride : -(-below / stride);
   ir::Place element = place;
   element.indexed = false;
+  const auto visit_at = [&](int64_t i) {
+    element.offset = static_cast<uint32_t>(place.offset + i * stride);
+    visit(i, element);
+  };
+  if (terms.IsConst(at)) {
+    const int64_t known = terms::AsSigned(terms.Value(at), kIndexBits);
+    if (known >= index && int64_t{place.offset} + known * stride + bytes <= high) visit_at(known);
+    return;
+  }
+  const terms::KnownBits known = KnownIndex(terms).Of(at);
   for (; int64_t{place.offset} + index * stride + bytes <= high; ++index) {
-    element.offset = static_cast<uint32_t>(place.offset + index * stride);
-    visit(index, element);
+    const uint64_t value = terms::Masked(static_cast<uint64_t>(index), kIndexBits);
+    if ((value & known.zeros) == 0 && (~value & known.ones) == 0) visit_at(index);
   }
 }
 
@@ -65,9 +111,8 @@ terms::TermId Executor::ReadAt(const ir::Place& place, terms::TermId index) {
   const terms::TermId none = terms_.Const(0, meaning::WidthOf(place.type));
   if (!IsPresent(program_, place)) return none;
   std::vector<terms::TableElement> elements;
-  ForEachElement(program_, place, [&](int64_t i, const ir::Place& element) {
-    const uint64_t at = terms::Masked(static_cast<uint64_t>(i), 32);
-    if (!terms_.IsFalse(terms_.Eq(index, terms_.Const(at, 32)))) elements.push_back({at, memory_.ReadPlace(element)});
+  ForEachElement(terms_, program_, place, index, [&](int64_t i, const ir::Place& element) {
+    elements.push_back({terms::Masked(static_cast<uint64_t>(i), 32), memory_.ReadPlace(element)});
   });
   // Negative indices come last as numbers without sign.
   std::ranges::sort(elements, {}, &terms::TableElement::index);
@@ -76,7 +121,7 @@ terms::TermId Executor::ReadAt(const ir::Place& place, terms::TermId index) {
 
 void Executor::WriteAt(const ir::Place& place, terms::TermId index, terms::TermId value) {
   if (!IsPresent(program_, place)) return;
-  ForEachElement(program_, place, [&](int64_t i, const ir::Place& element) {
+  ForEachElement(terms_, program_, place, index, [&](int64_t i, const ir::Place& element) {
     const terms::TermId chosen = terms_.Eq(index, terms_.Const(static_cast<uint64_t>(i), 32));
     if (!terms_.IsFalse(chosen)) WritePlace(element, terms_.Ite(chosen, value, memory_.ReadPlace(element)));
   });

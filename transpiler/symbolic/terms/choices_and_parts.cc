@@ -29,16 +29,28 @@ TermId Terms::EqOfConst(TermId a, TermId constant) {
     case TermKind::kNot:
       return Eq(TermId(term.a), Const(~value, term.width));
     case TermKind::kConcat: {
-      const uint8_t low = Width(TermId(term.b));
+      // A table that is read by an index of single bits asks this for each element, in each execution: the answers are
+      // kept beside those of Extract, whose questions are of another kind.
+      const Term question{TermKind::kEq, 1, a.index, constant.index};
+      if (const uint32_t known = extract_index_.Find(extract_questions_, question); known != Index::kNowhere)
+        return extracts_[known];
+      const TermId rest(term.b);
+      const uint8_t low = Width(rest);
       // The sign above a number: if it is that of the constant's part, that part says all.
       const Term above = terms_[term.a];
-      if (above.kind == TermKind::kIte &&
-          TermId(above.a) == Extract(TermId(term.b), static_cast<uint8_t>(low - 1), 1) && IsConst(TermId(above.b)) &&
-          IsConst(TermId(above.c))) {
+      TermId answer;
+      if (above.kind == TermKind::kIte && TermId(above.a) == Extract(rest, static_cast<uint8_t>(low - 1), 1) &&
+          IsConst(TermId(above.b)) && IsConst(TermId(above.c))) {
         const TermId sign(value >> (low - 1) & 1 ? above.b : above.c);
-        return Value(sign) == value >> low ? Eq(TermId(term.b), Const(value, low)) : zero_;
+        answer = Value(sign) == value >> low ? Eq(rest, Const(value, low)) : zero_;
+      } else {
+        answer = And(Eq(TermId(term.a), Const(value >> low, Width(TermId(term.a)))), Eq(rest, Const(value, low)));
       }
-      return And(Eq(TermId(term.a), Const(value >> low, Width(TermId(term.a)))), Eq(TermId(term.b), Const(value, low)));
+      // What was asked meanwhile is of parts, never of the row itself.
+      extract_index_.FindOrAdd(extract_questions_, question);
+      extract_questions_.push_back(question);
+      extracts_.push_back(answer);
+      return answer;
     }
     case TermKind::kIte:
       // A choice between constants is a question about its condition.
