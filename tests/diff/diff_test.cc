@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 
 #include "tests/temporary_directory.h"
@@ -238,6 +239,17 @@ TEST(Diff, WhatFollowsFromAChangeThatReachesEverythingIsShown) {
       driver::DiffText(compared.diff, {.old_label = "old", .new_label = "new"}, diag::Colour::kOff);
   EXPECT_NE(text.find("through U200K0"), std::string::npos) << text;
   EXPECT_LT(std::ranges::count(text, '\n'), 40) << text;
+}
+
+// Who has read and compiled both versions has spent a part of the time; where nothing is left, nothing is claimed.
+TEST(Diff, TheTimeCountsFromWhereTheCommandBegins) {
+  const auto now = std::chrono::steady_clock::now();
+  const DiffOptions options{.time_ms = 60'000, .begin = now - std::chrono::seconds(60)};
+  const Compared compared = CompareTexts("$\nU4A8=I0A3*/I0A4+I0A5\n", "$\nU4A8=I0A3+I0A5*I0A3\n", options);
+  EXPECT_LT(std::chrono::steady_clock::now() - now, std::chrono::seconds(30));
+  ASSERT_NE(compared.Find("U4A8"), nullptr);
+  EXPECT_EQ(compared.Find("U4A8")->verdict, ItemVerdict::kUndecided);
+  EXPECT_EQ(compared.Find("U4A8")->reason, "the time was not enough");
 }
 
 TEST(DiffOutput, SaysTheSameInEveryForm) {

@@ -1,5 +1,6 @@
 // plcxx diff: which outputs behave differently, and when.
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
@@ -104,6 +105,7 @@ bool IsUsable(const review::diff::DiffSide& side, const DiffSettings& settings) 
 }
 
 int RunDiff(const DiffSettings& settings) {
+  const auto begin = std::chrono::steady_clock::now();
   const std::optional<compilation::CompilationRequest> common = CommonRequest(settings);
   if (!common) return kWrongUse;
   const std::optional<uint64_t> time_ms = ParseDuration(settings.time);
@@ -121,6 +123,7 @@ int RunDiff(const DiffSettings& settings) {
   }
   review::diff::DiffOptions options{.same = {},
                                     .time_ms = *time_ms,
+                                    .begin = begin,
                                     .scenario_directory = settings.scenarios,
                                     .compiler = engines::FindCompiler(),
                                     .progress = {}};

@@ -121,7 +121,6 @@ bool IsSliced(const ir::Program& program) {
 /// they run, slice by slice: an item for all that is not proved equal then, where it is so for whole passes.
 void CompareBetweenSlices(const DiffSide& old_side, const DiffSide& new_side,
                           const std::vector<std::pair<ir::Place, ir::Place>>& same, uint64_t time_ms, Diff& diff) {
-  if (time_ms == 0) return;
   const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.compilation.program),
                                 new_version = prove::machine::MakeVersion(new_side.compilation.program);
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
@@ -226,7 +225,8 @@ DiffSide MakeDiffSide(std::string label, const compilation::CompilationRequest& 
 
 Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& options) {
   using Clock = std::chrono::steady_clock;
-  const Clock::time_point begin = Clock::now(), whole_end = begin + std::chrono::milliseconds(options.time_ms);
+  const Clock::time_point begin = Clock::now(),
+                          whole_end = options.begin.value_or(begin) + std::chrono::milliseconds(options.time_ms);
   std::vector<std::pair<ir::Place, ir::Place>> same;
   if (std::optional<std::string> wrong = PlacesOf(old_side, new_side, options, same)) return {.refusal = *wrong};
   const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
@@ -236,9 +236,13 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const bool sliced = IsSliced(old_side.compilation.program) || IsSliced(new_side.compilation.program);
   const uint64_t slices_ms = sliced ? options.time_ms / kSlicesShare : 0;
   const Clock::time_point last_end = whole_end - std::chrono::milliseconds(slices_ms);
-  const uint64_t compare_ms = options.time_ms - options.time_ms / kLastShare - slices_ms;
-  prove::diff::CompareLimits limits{.total_ms = compare_ms, .progress = options.progress};
-  const Clock::time_point compare_end = Clock::now() + std::chrono::milliseconds(compare_ms);
+  const Clock::time_point compare_begin = Clock::now();
+  const Clock::time_point compare_end =
+      std::max(compare_begin, last_end - std::chrono::milliseconds(options.time_ms / kLastShare));
+  const std::chrono::milliseconds compare_time =
+      std::chrono::duration_cast<std::chrono::milliseconds>(compare_end - compare_begin);
+  prove::diff::CompareLimits limits{.total_ms = static_cast<uint64_t>(compare_time.count()),
+                                    .progress = options.progress};
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
   std::optional<DirectedSearch> search;
   uint32_t round = 0;
@@ -391,7 +395,12 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   if (!options.compiler.empty()) ConfirmCompiled(old_side, new_side, options, last_end, diff);
   if (!diff.not_compiled.empty())
     diff.not_looked_at.push_back("the runs were not repeated as generated code: " + diff.not_compiled);
-  CompareBetweenSlices(old_side, new_side, same, slices_ms, diff);
+  if (sliced) {
+    // Too late, too: then it says that it is not decided.
+    const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(whole_end - Clock::now());
+    const auto rest_ms = static_cast<uint64_t>(std::max<int64_t>(1, rest.count()));
+    CompareBetweenSlices(old_side, new_side, same, std::min(slices_ms, rest_ms), diff);
+  }
   std::vector<DiffItem> declared = CompareDeclarations(old_side.compilation.program, new_side.compilation.program);
   std::ranges::move(declared, std::back_inserter(diff.items));
   std::ranges::stable_sort(diff.items, {}, &DiffItem::kind);

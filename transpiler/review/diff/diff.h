@@ -4,6 +4,7 @@
 // the command line (diff_command.cc), how it is shown (diff_output.h).
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -95,6 +96,8 @@ struct Diff {
 struct DiffOptions {
   std::vector<std::pair<std::string, std::string>> same;  // --map OLD=NEW, as scenarios write locations
   uint64_t time_ms = 60'000;
+  /// From when on the time counts: who has read and compiled both versions has spent some of it. None: from the call.
+  std::optional<std::chrono::steady_clock::time_point> begin;
   std::string scenario_directory;  // where scenarios will stand; their sources are named from there
   std::string compiler;            // what is shown is run as generated code, too; empty: in the simulator only
   std::function<void(const std::string& what)> progress;

@@ -35,7 +35,8 @@ class Sweeper {
   using Clock = std::chrono::steady_clock;
 
   void MarkCones();
-  void Simulate();
+  /// false: it was not done in time.
+  bool Simulate();
   void Refine(terms::TermId one, terms::TermId other, size_t most_terms);
   void EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable);
   void SweepTerm(terms::TermId id);
@@ -89,10 +90,11 @@ void Sweeper::EvaluateVector(const std::function<uint64_t(uint32_t variable, uin
 }
 
 /// Values as programs have them: bits of every density, and numbers that are small, large or anything.
-void Sweeper::Simulate() {
+bool Sweeper::Simulate() {
   values_.assign(terms_.size(), 0);
   signatures_.assign(terms_.size(), 0);
   for (int vector = 0; vector < kVectors; ++vector) {
+    if (Late()) return false;
     const uint64_t density = vector % 4 == 0 ? 128 : vector % 4 == 1 ? 16 : vector % 4 == 2 ? 240 : 64;
     EvaluateVector([&](uint32_t, uint8_t width) -> uint64_t {
       if (width == 1) return (random_.Next() & 255) < density ? 1 : 0;
@@ -108,6 +110,7 @@ void Sweeper::Simulate() {
       }
     });
   }
+  return true;
 }
 
 /// The values by which the solver told two terms apart tell others apart, too. Classes stay as they are; who is
@@ -187,7 +190,12 @@ std::vector<Verdict> Sweeper::Run() {
   const auto open = static_cast<size_t>(std::ranges::count_if(pairs_, [](const TermPair& p) { return p.a != p.b; }));
   if (open == 0) return verdicts;
   MarkCones();
-  Simulate();
+  if (!Simulate()) {
+    for (size_t i = 0; i < pairs_.size(); ++i) {
+      if (pairs_[i].a != pairs_[i].b) verdicts[i] = Verdict::kUndecided;
+    }
+    return verdicts;
+  }
   if (limits_.any_values_count) {
     // What random values tell apart needs no question; the cones of the rest are smaller.
     std::vector<TermPair> rest(pairs_.begin(), pairs_.end());
