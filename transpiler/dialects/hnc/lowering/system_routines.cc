@@ -92,7 +92,8 @@ void SystemRoutines::CallAgain(SystemFunction function, std::vector<ValueId> arg
 // set_axis_move divides by |pic_a| + |d|, where d is not 0: two magnitudes of at most 2^31 make 2^32 or 0 only when
 // both are 2^31.
 ValueId SystemRoutines::DividesByZero(SystemFunction function, const std::vector<ValueId>& arguments) {
-  const bool move = function == SystemFunction::kSetAxisMove, moveto = function == SystemFunction::kSetAxisMoveto;
+  const SystemRoutine routine = SignatureOf(function)->routine;
+  const bool move = routine == SystemRoutine::kSetAxisMove, moveto = routine == SystemRoutine::kSetAxisMoveto;
   if (!move && !moveto) return {};
   // What the program has in the place of either is its own, and so is what it divides.
   if (moveto && (Replacement(SystemFunction::kSetAxisMove).valid() || Replacement(SystemFunction::kGetAxisPos).valid()))
