@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/temporary_directory.h"
+#include "transpiler/ir/zones.h"
 #include "transpiler/review/diff/diff.h"
 #include "transpiler/review/diff/machine.h"
 #include "transpiler/review/diff/runs.h"
@@ -36,7 +37,7 @@ TEST_P(InputBits, ArriveAlone) {
     if (!program.spaces[space].host_visible) continue;
     for (const ir::Zone& zone : program.spaces[space].zones) {
       // Of a byte that the control shares only some bits are its own.
-      if (zone.direction != ir::Direction::kInput || zone.begin % 8 != 0 || zone.end % 8 != 0) continue;
+      if (zone.direction != ir::Direction::kInput || !ir::IsOfBytes(zone)) continue;
       const uint32_t end = zone.end / 8;
       // One byte is as the next one; the last one of a zone is not.
       for (uint32_t offset = zone.begin / 8; offset < end; offset += offset + 9 < end ? 8 : 1) {

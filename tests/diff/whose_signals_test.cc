@@ -81,8 +81,11 @@ std::string NameOf(ControlWrite write) {
 }
 
 ControlWrite WritesTo(const ir::Space& space, const ir::Place& place) {
-  return place.bit == ir::kNoBit ? execute::WhatControlWrites(space, place.offset)
-                                 : execute::WhatControlWrites(space, place.offset, place.bit);
+  if (place.bit != ir::kNoBit) return execute::WhatControlWrites(space, place.offset, place.bit);
+  // Of a byte the most that is done to any bit.
+  const execute::ControlBits bits = execute::BitsControlWrites(space, place.offset);
+  if (bits.values != 0) return ControlWrite::kValues;
+  return bits.clears != 0 ? ControlWrite::kClears : ControlWrite::kNothing;
 }
 
 struct WrittenProgram {

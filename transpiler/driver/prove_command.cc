@@ -121,13 +121,13 @@ class Prove {
     review::properties::CoarseRuns coarse_runs(machine_);
     options_.try_runs = [&](const prove::properties::RunSearch& search) {
       // Where most periods do nothing, runs are computed in which something happens in each of them.
-      const bool are_computed = search.thorough && coarse_runs.AreUseful();
-      std::optional<prove::properties::PropertyRun> found;
-      if (are_computed) found = coarse_runs.Find(*search.property, search.milliseconds / 2);
-      prove::properties::RunSearch tried = search;
-      if (are_computed) tried.milliseconds -= search.milliseconds / 2;
-      if (!found) found = runs.Find(tried);
-      return found;
+      prove::properties::RunSearch rest = search;
+      if (search.thorough && coarse_runs.AreUseful()) {
+        const uint64_t share = search.milliseconds / 2;
+        if (auto found = coarse_runs.Find(*search.property, share)) return found;
+        rest.milliseconds -= share;
+      }
+      return runs.Find(rest);
     };
     std::optional<review::properties::PropertyRuns> planted;
     if (plant_) {

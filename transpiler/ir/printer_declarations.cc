@@ -1,5 +1,6 @@
 #include "transpiler/ir/printer_state.h"
 #include "transpiler/ir/text_format.h"
+#include "transpiler/ir/zones.h"
 
 namespace plcxx::ir {
 namespace {
@@ -33,7 +34,7 @@ void PrintSpaces(Printer& printer) {
     if (!space.title.empty()) out += ' ' + Quoted(space.title);
     out += '\n';
     for (const Zone& zone : space.zones) {
-      const uint32_t unit = zone.begin % 8 == 0 && zone.end % 8 == 0 ? 8 : 1;
+      const uint32_t unit = IsOfBytes(zone) ? 8 : 1;
       out += "zone " + handle + (unit == 1 ? " bits " : " ") + Decimal(zone.begin / unit) + ' ' +
              Decimal(zone.end / unit) + ' ';
       out += text::kDirections[static_cast<size_t>(zone.direction)];

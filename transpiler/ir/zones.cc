@@ -18,6 +18,16 @@ Direction DirectionOf(const Space& space, uint32_t offset, uint8_t bit) {
   return Direction::kInternal;
 }
 
+uint8_t BitsOf(const Space& space, uint32_t offset, Direction direction) {
+  uint8_t bits = 0, earlier = 0;
+  for (const Zone& zone : space.zones) {
+    const uint8_t own = BitsOfZone(zone, offset);
+    if (zone.direction == direction) bits = static_cast<uint8_t>(bits | (own & ~earlier));
+    earlier = static_cast<uint8_t>(earlier | own);
+  }
+  return bits;
+}
+
 uint8_t BitsInZones(const Space& space, uint32_t offset, Direction direction) {
   uint8_t bits = 0;
   for (const Zone& zone : space.zones) {

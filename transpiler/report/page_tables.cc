@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "transpiler/ir/zones.h"
 #include "transpiler/report/html.h"
 #include "transpiler/report/page_parts.h"
 
@@ -86,7 +87,7 @@ std::string RangeText(const ir::Zone& zone) {
   const uint32_t last = zone.end - std::min(zone.end, 1U);
   const auto text = [&zone](uint32_t bit) {
     const std::string byte = std::to_string(bit / 8);
-    return zone.begin % 8 == 0 && zone.end % 8 == 0 ? byte : byte + "." + std::to_string(bit % 8);
+    return ir::IsOfBytes(zone) ? byte : byte + "." + std::to_string(bit % 8);
   };
   return text(zone.begin) + "–" + text(last);
 }

@@ -19,8 +19,7 @@ namespace plcxx::prove::diff {
 
 /// What a part was executed to, over the variables of a pairing.
 struct Execution {
-  enum class Of : uint8_t { kPowerOn, kPeriod, kFast };
-  Of of = Of::kPowerOn;
+  std::optional<machine::Part> part;               // none: power-on
   std::vector<bool> equal;                         // by old cell, as the pairing had it
   std::array<machine::Transition, 2> transitions;  // old, new
 };

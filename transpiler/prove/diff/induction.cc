@@ -6,7 +6,6 @@
 
 #include "transpiler/prove/diff/comparison.h"
 #include "transpiler/prove/machine/inputs.h"
-#include "transpiler/support/check.h"
 #include "transpiler/symbolic/terms/cone.h"
 
 namespace plcxx::prove::diff {
@@ -199,16 +198,6 @@ namespace {
 /// Questions are asked of one set of pairs again and again: with constants, with invariants, to find what they reach.
 constexpr size_t kMostExecutions = 8;
 
-Execution::Of KindOf(machine::Part part) {
-  switch (part) {
-    case machine::Part::kPeriod:
-      return Execution::Of::kPeriod;
-    case machine::Part::kFast:
-      return Execution::Of::kFast;
-  }
-  PLCXX_UNREACHABLE();
-}
-
 /// What the variables of an execution depend on, beside constants.
 std::vector<bool> EqualCells(const Comparison& comparison) {
   std::vector<bool> equal(comparison.old_version.cells.count);
@@ -216,30 +205,35 @@ std::vector<bool> EqualCells(const Comparison& comparison) {
   return equal;
 }
 
-const Execution* KnownExecution(Comparison& comparison, Execution::Of of) {
-  const std::vector<bool> equal = EqualCells(comparison);
+/// The last execution of this part over these variables; null: there was none.
+const Execution* KnownExecution(Comparison& comparison, std::optional<machine::Part> part,
+                                const std::vector<bool>& equal) {
   std::vector<Execution>& all = comparison.executions;
   const auto known = std::ranges::find_if(
-      all, [&](const Execution& execution) { return execution.of == of && execution.equal == equal; });
+      all, [&](const Execution& execution) { return execution.part == part && execution.equal == equal; });
   if (known == all.end()) return nullptr;
   std::rotate(all.begin(), known, known + 1);
   return &all.front();
 }
 
-void Remember(Comparison& comparison, Execution::Of of, std::array<machine::Transition, 2> transitions) {
+void Remember(Comparison& comparison, Execution execution) {
   std::vector<Execution>& all = comparison.executions;
   if (all.size() == kMostExecutions) all.pop_back();
-  all.insert(all.begin(), {of, EqualCells(comparison), std::move(transitions)});
+  all.insert(all.begin(), std::move(execution));
 }
 
 }  // namespace
 
 bool ExecutePart(Comparison& comparison, machine::Part part, machine::HostAnswers answers, const Cut* cut) {
   const bool is_plain = cut == nullptr && answers == machine::HostAnswers::kAny;
-  if (const Execution* const known = is_plain ? KnownExecution(comparison, KindOf(part)) : nullptr) {
-    comparison.old_next = known->transitions[0];
-    comparison.new_next = known->transitions[1];
-    return true;
+  std::vector<bool> equal;
+  if (is_plain) {
+    equal = EqualCells(comparison);
+    if (const Execution* const known = KnownExecution(comparison, part, equal)) {
+      comparison.old_next = known->transitions[0];
+      comparison.new_next = known->transitions[1];
+      return true;
+    }
   }
   const auto run = [&](Which which) {
     machine::PartEnvironment environment = EnvironmentOf(comparison, which);
@@ -258,16 +252,20 @@ bool ExecutePart(Comparison& comparison, machine::Part part, machine::HostAnswer
   comparison.new_next = run(Which::kNew);
   comparison.execution_ms = before_ms - comparison.RestMs();
   if (TakeRefusal(comparison, comparison.new_next, "new")) return false;
-  if (is_plain) Remember(comparison, KindOf(part), {comparison.old_next, comparison.new_next});
+  if (is_plain) {
+    Remember(comparison,
+             {.part = part, .equal = std::move(equal), .transitions = {comparison.old_next, comparison.new_next}});
+  }
   return true;
 }
 
 std::optional<std::array<machine::Transition, 2>> ExecutePowerOn(Comparison& comparison) {
-  if (const Execution* const known = KnownExecution(comparison, Execution::Of::kPowerOn)) return known->transitions;
+  std::vector<bool> equal = EqualCells(comparison);
+  if (const Execution* const known = KnownExecution(comparison, std::nullopt, equal)) return known->transitions;
   std::array init{machine::RunInit(comparison.terms, comparison.old_version, EnvironmentOf(comparison, Which::kOld)),
                   machine::RunInit(comparison.terms, comparison.new_version, EnvironmentOf(comparison, Which::kNew))};
   if (TakeRefusal(comparison, init[0], "old") || TakeRefusal(comparison, init[1], "new")) return std::nullopt;
-  Remember(comparison, Execution::Of::kPowerOn, init);
+  Remember(comparison, {.part = std::nullopt, .equal = std::move(equal), .transitions = init});
   return init;
 }
 

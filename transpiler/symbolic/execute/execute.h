@@ -202,21 +202,19 @@ terms::TermId BitsWrittenByHost(terms::Terms& terms, std::string_view function, 
 terms::TermId HasCopy(terms::Terms& terms, std::string_view function, terms::TermId calls);
 /// What a host function of an access looks at and writes at each call: the one table of that. Memory that the host
 /// cannot reach (automatic variables, registers, what the runtime keeps) it neither sees nor writes, although State has
-/// it: where that lies changes with each translation. host_writes.h says the same of bits.
+/// it: where that lies changes with each translation. What it writes is BitsHostWrites in host_writes.h.
 ///
 /// | access          | sees                            | writes                          |
 /// |---|---|---|
 /// | kNone           |                                 |                                 |
 /// | kReadsState     | host-visible spaces             |                                 |
-/// | kWritesState    | host-visible spaces, as before  | what WhatControlWrites gives    |
+/// | kWritesState    | host-visible spaces, as before  | what BitsControlWrites gives    |
 /// | kReadsRetentive | retentive spaces                |                                 |
 /// | kWritesRetentive|                                 | retentive spaces                |
 bool HostSees(ir::HostAccess access, const ir::Space& space);
-bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset);
 
 /// What the control does to a bit beside the program. The first zone that has it says whose it is; another one what the
-/// control does there besides: kInput, it writes values; kInternal, it clears what is set. Of a byte the most of any.
+/// control does there besides: kInput, it writes values; kInternal, it clears what is set.
 enum class ControlWrite : uint8_t { kNothing, kClears, kValues };
-ControlWrite WhatControlWrites(const ir::Space& space, uint32_t offset);
 
 }  // namespace plcxx::execute

@@ -81,19 +81,10 @@ uint8_t BitsHostWrites(const ir::Program& program, ir::HostAccess access, ir::Sp
   PLCXX_UNREACHABLE();
 }
 
-bool HostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset) {
-  return BitsHostWrites(program, access, space, offset) != 0;
-}
-
 uint8_t BitsMayWrite(const ir::Program& program, const ir::HostFunction& host, ir::SpaceId id, uint32_t offset) {
   const uint8_t written = BitsHostWrites(program, host.access, id, offset);
   if (written == 0 || host.routine_exchange || host.access != ir::HostAccess::kWritesState) return written;
-  const ir::Space& space = program.spaces[id];
-  uint8_t bits = written;
-  for (uint8_t bit = 0; bit < 8; ++bit) {
-    if (ir::DirectionOf(space, offset, bit) == ir::Direction::kInput) bits = static_cast<uint8_t>(bits & ~(1u << bit));
-  }
-  return bits;
+  return static_cast<uint8_t>(written & ~ir::BitsOf(program.spaces[id], offset, ir::Direction::kInput));
 }
 
 ControlBits BitsControlWrites(const ir::Space& space, uint32_t offset) {
@@ -117,12 +108,6 @@ ControlBits BitsControlWrites(const ir::Space& space, uint32_t offset) {
   }
   bits.clears = static_cast<uint8_t>(bits.clears & ~bits.values);
   return bits;
-}
-
-ControlWrite WhatControlWrites(const ir::Space& space, uint32_t offset) {
-  const ControlBits bits = BitsControlWrites(space, offset);
-  if (bits.values != 0) return ControlWrite::kValues;
-  return bits.clears != 0 ? ControlWrite::kClears : ControlWrite::kNothing;
 }
 
 ControlWrite WhatControlWrites(const ir::Space& space, uint32_t offset, uint8_t bit) {

@@ -13,7 +13,7 @@ ControlBits BitsControlWrites(const ir::Space& space, uint32_t offset);
 /// The same of one bit.
 ControlWrite WhatControlWrites(const ir::Space& space, uint32_t offset, uint8_t bit);
 
-/// The bits of a byte that a host function of this access writes; HostWrites says whether there are any.
+/// The bits of a byte that a host function of this access writes, by the table at HostSees.
 uint8_t BitsHostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset);
 /// As BitsHostWrites; but inputs of the machine come with the regular exchange alone: a function that the program calls
 /// for something else writes what the control and the program share.
