@@ -253,18 +253,19 @@ bool Rename(Pair& pair, Random& random, std::string& what) {
   return true;
 }
 
-/// A variable that nobody reads, declared last of its block, so that nothing else moves; but an index reaches it, too.
+/// A variable that nobody reads, declared last of all data, so that nothing else moves: the cells of one file follow
+/// those of the file before it. But an index reaches it, too.
 bool AddUnused(ProgramText& program, Random&, std::string& what) {
   if (program.dialect != "technol") return false;
   for (const std::string& source : program.sources) {
     if (program.files[source].find('[') != std::string::npos) return false;
   }
-  for (const std::string& source : program.sources) {
-    std::vector<std::string> lines = LinesOf(program.files[source]);
-    for (size_t i = 0; i < lines.size(); ++i) {
+  for (auto source = program.sources.rbegin(); source != program.sources.rend(); ++source) {
+    std::vector<std::string> lines = LinesOf(program.files[*source]);
+    for (size_t i = lines.size(); i-- > 0;) {
       if (Cut(lines[i]).word != "DATA_END") continue;
       lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(i), "NEWBITQ: DFM UNUSEDQ");
-      program.files[source] = TextOf(lines);
+      program.files[*source] = TextOf(lines);
       what = "an unused bit";
       return true;
     }
