@@ -1,4 +1,4 @@
-"""One mutant against the tests that reach it."""
+"""One mutant against the tests that reach it, in two stages: what is cheap, and for what survives that everything else."""
 import os
 import random
 import signal
@@ -6,12 +6,15 @@ import subprocess
 import threading
 
 import prepare
+import random_runs
 import tests_seen
 
 BATCHES = (3, 12, 100, 1000)  # scenarios in one process: most mutants are killed by the first
 FIRST = 15                  # scenarios, before other tests
 KILLERS = 8                 # of a function, tried first
-MOST = 1000                 # scenarios: what nearly all of them execute is often seen by one alone; --most N
+MOST = 100                  # scenarios of the first stage; --most N
+COMPILED, ALL_COMPILED = 5, 40  # scenarios whose C++ is another one: so many are compiled, in the first stage and in all
+LONG = 180                  # seconds: a longer test is left out of the second stage, too
 
 
 def run(command, mutant, seconds, place=prepare.SOURCE):
@@ -47,8 +50,8 @@ def run(command, mutant, seconds, place=prepare.SOURCE):
 
 
 class Judge:
-    def __init__(self, seen, seed=0, most=MOST):
-        self.seen, self.seed, self.most = seen, seed, most
+    def __init__(self, seen, seed=0, most=MOST, cheap_only=False):
+        self.seen, self.seed, self.most, self.cheap_only = seen, seed, most, cheap_only
         self.killers = {}  # by function: indices of scenarios that killed a mutant of it
         self.index = {scenario.name: number for number, scenario in enumerate(seen.scenarios)}
 
@@ -60,12 +63,22 @@ class Judge:
     def judge(self, mutant):
         """(killed | survived | not reached, by what)"""
         if not self.reached(mutant):
-            return "not reached", ""
+            # Of what nobody wrote down a random program may still execute it.
+            killer = None if self.cheap_only else self.random_programs(mutant)
+            return ("killed", killer) if killer else ("not reached", "")
+        return self.first(mutant, *self.cheap(mutant), *([] if self.cheap_only else self.thorough(mutant)))
+
+    def cheap(self, mutant):
         if mutant.folder == "runtime":
-            return self.first(mutant, self.units, self.some_in_simulator, self.rest_in_simulator)
+            return [self.units, self.some_in_simulator, self.more_in_simulator]
         if mutant.folder == "emit":
-            return self.first(mutant, self.units, self.some_in_simulator, self.as_compiled)
-        return self.first(mutant, self.some_in_simulator, self.units, self.rest_in_simulator)
+            return [self.units, self.some_in_simulator, self.as_compiled]
+        return [self.some_in_simulator, self.units, self.more_in_simulator]
+
+    def thorough(self, mutant):
+        """Everything that reaches it and was not run: what nearly all scenarios execute is often seen by one alone."""
+        return [self.all_in_simulator, self.long_units, *([self.all_as_compiled] if mutant.folder == "emit" else []),
+                self.random_programs]
 
     @staticmethod
     def first(mutant, *ways):
@@ -83,15 +96,21 @@ class Judge:
         random.Random(self.seed + mutant.id).shuffle(rest)
         reaching = set(found)
         near = [number for number in self.killers.get((mutant.file, mutant.function), []) if number in reaching]
-        return list(dict.fromkeys(near + by_size[:3] + rest))[:self.most]
+        return list(dict.fromkeys(near + by_size[:3] + rest))
 
     def some_in_simulator(self, mutant):
         return self.in_simulator(mutant, self.order(mutant)[:FIRST])
 
-    def rest_in_simulator(self, mutant):
+    def more_in_simulator(self, mutant):
+        return self.in_simulator(mutant, self.order(mutant)[FIRST:self.most])
+
+    def all_in_simulator(self, mutant):
         found = self.order(mutant)
-        return self.in_simulator(mutant, found[FIRST:]) or (
+        return self.in_simulator(mutant, found[self.most:]) or (
             self.in_simulator(mutant, found, "--checked") if mutant.folder == "hnc" else None)
+
+    def random_programs(self, mutant):
+        return random_runs.killer(mutant, run)
 
     def in_simulator(self, mutant, found, *options):
         at, number = 0, 0
@@ -126,18 +145,31 @@ class Judge:
                 failed = run([*tests_seen.unit_command(together), "--gtest_fail_fast"], mutant.id, 120)
                 if failed:
                     return f"{binary}: {failed}"
+        return self.each_unit(mutant, [test for test in tests if test.seconds >= 0.5])
+
+    def long_units(self, mutant):
+        tests = [self.seen.units[index] for index in self.seen.by_unit.get(mutant.id, ())]
+        return self.each_unit(mutant, sorted((test for test in tests if tests_seen.LIMIT <= test.seconds < LONG),
+                                             key=lambda test: test.seconds))
+
+    @staticmethod
+    def each_unit(mutant, tests):
         for test in tests:
-            if test.seconds >= 0.5:
-                failed = run(tests_seen.unit_command(test), mutant.id, 60 + 20 * test.seconds)
-                if failed:
-                    return f"{test.name}: {failed}"
+            failed = run(tests_seen.unit_command(test), mutant.id, 60 + 20 * test.seconds)
+            if failed:
+                return f"{test.name}: {failed}"
         return None
 
     def as_compiled(self, mutant):
-        """Only where the text of the program is another one."""
-        found = self.order(mutant, self.seen.by_emit)
+        return self.compiled(mutant, self.order(mutant, self.seen.by_emit)[:self.most], COMPILED)
+
+    def all_as_compiled(self, mutant):
+        return self.compiled(mutant, self.order(mutant, self.seen.by_emit), ALL_COMPILED)
+
+    def compiled(self, mutant, found, most):
+        """Only where the text of the program is another one: of these at most `most`."""
         compiled = 0
-        for index in found[:min(self.most, 250)]:
+        for index in found:
             scenario = self.seen.scenarios[index]
             text = tests_seen.emitted_text(scenario.name, mutant.id)
             if text == scenario.text:
@@ -149,6 +181,6 @@ class Judge:
                 self.remember(mutant, scenario.name)
                 return f"{scenario.name} (compiled)"
             compiled += 1
-            if compiled == 20:
+            if compiled == most:
                 break
         return None

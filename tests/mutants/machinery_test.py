@@ -12,6 +12,7 @@ import tempfile
 import judge
 import mutants
 import prepare
+import random_runs
 import tests_seen
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -81,7 +82,82 @@ def check_moved():
     assert places == {1: [7, 8], 2: [8], 3: [9]}, places
 
 
+class Reached:
+    """By one mutant: so many scenarios."""
+
+    def __init__(self, number, scenarios):
+        self.scenarios = [tests_seen.Scenario(f"s{i}.yaml") for i in range(scenarios)]
+        self.units, self.by_emit, self.by_unit = [], {}, {}
+        self.by_scenario = {number: list(range(scenarios))} if scenarios else {}
+
+
+class Stages(judge.Judge):
+    """Without processes: what runs, and what of it fails."""
+
+    def __init__(self, number, scenarios, killers, cheap_only=False):
+        super().__init__(Reached(number, scenarios), 0, 20, cheap_only)
+        self.killers_there, self.ran = killers, []
+
+    def in_simulator(self, mutant, found, *options):
+        self.ran += [(index, *options) for index in found]
+        return next((f"s{index}" for index in found if (index, *options) in self.killers_there), None)
+
+    def random_programs(self, mutant):
+        self.ran.append("random")
+        return "random" if "random" in self.killers_there else None
+
+
+def check_stages():
+    row = Row(7, "a.cc | F | + to - | x + y")
+    row.folder, row.function = "hnc", "F"
+    order = Stages(7, 50, ()).order(row)
+    assert sorted(order) == list(range(50))
+    # A scenario beyond those of the first stage is found by the second alone.
+    last = (order[-1],)
+    assert Stages(7, 50, [last]).judge(row) == ("killed", f"s{order[-1]}")
+    assert Stages(7, 50, [last], cheap_only=True).judge(row) == ("survived", "")
+    first = Stages(7, 50, [(order[0],)])
+    assert first.judge(row)[0] == "killed" and len(first.ran) == judge.FIRST, "the second stage ran for nothing"
+    # With the looks at what the lowering took for granted, and then what nobody wrote down.
+    assert Stages(7, 50, [(order[3], "--checked")]).judge(row)[0] == "killed"
+    survivor = Stages(7, 50, ())
+    assert survivor.judge(row) == ("survived", "") and survivor.ran[-1] == "random"
+    assert len(survivor.ran) == len(set(survivor.ran)) == 101, "a scenario twice"
+    assert Stages(7, 50, ["random"]).judge(row) == ("killed", "random")
+    assert Stages(7, 0, ()).judge(row) == ("not reached", "")
+    assert Stages(7, 0, ["random"]).judge(row) == ("killed", "random")
+    assert Stages(7, 0, ["random"], cheap_only=True).judge(row) == ("not reached", "")
+
+
+def check_random_runs():
+    row = Row(7, "a.cc | F | + to - | x + y")
+    row.folder = "nc110"
+    commands = random_runs.commands
+    random_runs.commands = lambda folder, seed, place: [["one", str(seed)], ["two", str(seed)]]
+    try:
+        # What fails without the mutant, too, has not seen it.
+        assert random_runs.killer(row, lambda command, number, seconds: "exit code 1") is None
+        assert random_runs.killer(row, lambda command, number, seconds: None) is None
+        found = random_runs.killer(row, lambda command, number, seconds: "wrong" if command[0] == "two" and number else None)
+        assert found == "random programs (two of seed 7): wrong", found
+    finally:
+        random_runs.commands = commands
+
+
+def check_table():
+    made = [Row(number, f"transpiler/emit/a.cc | F | + to - | {number}") for number in range(5)]
+    for row in made:
+        row.folder = "emit"
+    verdicts = ("killed", "killed", "survived", "survived", "not reached")
+    results = {row.key: (verdict, "") for row, verdict in zip(made, verdicts)}
+    text = mutants.table(made, results, mutants.Known({made[2].key: "why"}))
+    assert text.splitlines()[-1].split() == ["all", "5", "5", "2", "1", "1", "1", "50.0"], text
+
+
 def main():
+    check_stages()
+    check_random_runs()
+    check_table()
     check_moved()
     check_endless()
     check_survivors()

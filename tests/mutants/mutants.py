@@ -20,7 +20,9 @@ OPEN = HERE / "open.txt"
 DESCRIPTION = """\
 Are the tests able to see a fault? Changes the lowerings, the passes, the emitter and the runtime in thousands of places,
 one change at a time, and runs the tests that execute the changed place, until one fails (killed) or all have passed
-(survived).
+(survived). First what is cheap: a part of the scenarios, and the unit tests. What survives that is run against all other
+scenarios that execute the place, the long tests, compiled programs (emit) and random programs: those of hnc beside avr-gcc,
+those of the other dialects beside their second readings.
 
 All mutants are compiled into one binary, build/mutants/source/build/bin/plcxx; the environment variable PLCXX_MUTANT=ID chooses
 one. Verdicts are kept in build/mutants/results, and a later run goes on from there; --again forgets them.
@@ -95,18 +97,19 @@ def choose(mutants, folders, sample, seed):
 
 
 def table(mutants, results, known):
-    rows = [("folder", "made", "looked at", "reached", "killed", "no effect", "survived", "not reached", "killed %")]
-    total = [0] * 7
+    rows = [("folder", "made", "looked at", "killed", "no effect", "survived", "not reached", "killed %")]
+    total = [0] * 6
     for folder in prepare.FOLDERS:
         made = [mutant for mutant in mutants if mutant.folder == folder]
         if not made:
             continue
         verdicts = [(mutant, results[mutant.key][0]) for mutant in made if mutant.key in results]
         killed = sum(verdict == "killed" for _, verdict in verdicts)
-        survivors = [mutant for mutant, verdict in verdicts if verdict == "survived"]
-        without = sum(known.reason(mutant.key) is not None for mutant in survivors)
-        missed = sum(verdict == "not reached" for _, verdict in verdicts)
-        row = [len(made), len(verdicts), len(verdicts) - missed, killed, without, len(survivors) - without, missed]
+        others = [(mutant, verdict) for mutant, verdict in verdicts if verdict != "killed"]
+        without = sum(known.reason(mutant.key) is not None for mutant, _ in others)
+        missed, survived = (sum(verdict == wanted and known.reason(mutant.key) is None for mutant, verdict in others)
+                            for wanted in ("not reached", "survived"))
+        row = [len(made), len(verdicts), killed, without, survived, missed]
         total = [a + b for a, b in zip(total, row)]
         rows.append((folder, *row, rate(row)))
     rows.append(("all", *total, rate(total)))
@@ -116,9 +119,9 @@ def table(mutants, results, known):
 
 
 def rate(row):
-    """Of the mutants that are reached and have an effect."""
-    counted = row[2] - row[4]
-    return f"{100 * row[3] / counted:.1f}" if counted else "-"
+    """Of the mutants that have an effect; what no test reaches is not killed."""
+    counted = row[1] - row[3]
+    return f"{100 * row[2] / counted:.1f}" if counted else "-"
 
 
 def run_all(todo, judged, jobs):
@@ -154,7 +157,7 @@ def show_one(mutant, judged):
 
 def show_list(mutants, results, known, verdict):
     for mutant in mutants:
-        if results.get(mutant.key, ("",))[0] == verdict and (verdict != "survived" or known.reason(mutant.key) is None):
+        if results.get(mutant.key, ("",))[0] == verdict and (verdict == "killed" or known.reason(mutant.key) is None):
             print(f"{mutant.id}\t{mutant.line}\t{mutant.key}\t{results[mutant.key][1]}")
 
 
@@ -166,7 +169,8 @@ def main():
     parser.add_argument("--seed", type=int, default=1, help="of the sample (1)")
     parser.add_argument("--jobs", type=int, default=2, help="mutants that are tested at a time (2)")
     parser.add_argument("--most", type=int, default=judge.MOST, metavar="N",
-                        help="scenarios for a mutant: fewer are sooner done, and leave more survivors (%(default)d)")
+                        help="scenarios for a mutant in the first stage (%(default)d); the second has all of them")
+    parser.add_argument("--cheap", action="store_true", help="the first stage alone: sooner done, and leaves more survivors")
     parser.add_argument("--open", action="store_true", help="those of open.txt, which tests may kill by now")
     parser.add_argument("--one", metavar="ID", help="one mutant: its number or its key")
     parser.add_argument("--list", metavar="VERDICT", help="of the last runs: survived, 'not reached' or killed")
@@ -190,7 +194,7 @@ def main():
     if wanted.again_survivors:
         results = {key: value for key, value in results.items() if value[0] == "killed"}
         RESULTS.write_text("".join(f"{key}\t{verdict}\t{killer}\n" for key, (verdict, killer) in results.items()))
-    judged = judge.Judge(tests_seen.record_all(wanted.jobs, folders), wanted.seed, wanted.most)
+    judged = judge.Judge(tests_seen.record_all(wanted.jobs, folders), wanted.seed, wanted.most, wanted.cheap)
     if wanted.one:
         found = [mutant for mutant in mutants if wanted.one in (str(mutant.id), mutant.key)]
         if not found:

@@ -41,6 +41,7 @@ foreach(FOLDER {libraries})
 endforeach()
 """
 SEEN_BY_ALL = ("passes", "runtime")  # folders of mutants that tests of every dialect reach
+JUDGED_ON_AVR = ("hnc", "emit", *SEEN_BY_ALL)
 MOST_OF_FOLDER = 1 << 14  # ids of a folder do not depend on which others are mutated: the compiler cache knows its code
 
 
@@ -154,13 +155,14 @@ def build(jobs, folders):
                             text=True).stdout
     targets = [name for name in re.findall(r"^(\w+_test): phony", listed, re.M) if name.startswith(TESTS)]
     targets = [name for name in targets if concerns(name, folders)]
-    runner = BUILD / "bin/plcxx_avr_runner"
-    has_judge = "hnc" in folders and re.search(rf"^{runner.name}: phony", listed, re.M) is not None
-    subprocess.run(["ninja", "-C", BUILD, "-j", str(jobs), "plcxx", *targets, *([runner.name] if has_judge else [])],
-                   check=True)
-    if has_judge:
+    runner, soak = BUILD / "bin/plcxx_avr_runner", BUILD / "tests/plcxx_soak"
+    for_random = [path.name for path, wanted in ((runner, any(folder in JUDGED_ON_AVR for folder in folders)),
+                                                 (soak, folders != ["hnc"]))
+                  if wanted and re.search(rf"^{path.name}: phony", listed, re.M)]
+    subprocess.run(["ninja", "-C", BUILD, "-j", str(jobs), "plcxx", *targets, *for_random], check=True)
+    if runner.name in for_random:
         write_judged(runner)
-    elif "hnc" in folders:
+    elif any(folder in JUDGED_ON_AVR for folder in folders):
         print("without the programs that run on an AVR: install avr-gcc and libsimavr (dev/packages)", flush=True)
 
 

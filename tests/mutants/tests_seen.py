@@ -1,6 +1,7 @@
 """The tests that can see mutants, and which mutants each of them reaches."""
 import array
 import concurrent.futures
+import functools
 import os
 import pathlib
 import pickle
@@ -179,12 +180,17 @@ class Seen:
 
 
 def identity(test):
-    """A scenario that says something else, or whose program does, is another test. Of a unit test its name stands: what it
-    reaches beyond the record makes a survivor, never a killed one."""
+    """A scenario that says something else, or whose program does, is another test, and so is a printed program. Of other
+    unit tests the name stands: what they reach beyond the record makes a survivor, never a killed one."""
     if not isinstance(test, Scenario):
-        return test.name
+        return f"{test.name} {printed_programs()}" if test.binary == "printed_test" else test.name
     path = prepare.SOURCE / test.name
     return " ".join([test.name, *(str(zlib.crc32(part.read_bytes())) for part in sorted(path.parent.glob(path.stem + ".*")))])
+
+
+@functools.cache
+def printed_programs():
+    return zlib.crc32(b"".join(path.read_bytes() for path in sorted((prepare.SOURCE / "tests/printed").rglob("*.*"))))
 
 
 def moved(result, places):
