@@ -3,7 +3,9 @@
 // In: a structured program before its slow part is cut into slices. Out: one list for each fast and slow routine.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "transpiler/ir/program.h"
@@ -62,6 +64,34 @@ class BitNumbering {
   std::vector<uint32_t> base_;    // by SpaceId
   std::vector<uint32_t> fields_;  // by StateId
   uint32_t count_ = 0;
+};
+
+/// A value for each bit of a numbering, Value() at first. A control has tens of thousands of bits and a small program
+/// touches a few: memory is taken for the groups of bits that are asked for, and only these are gone through.
+template <class Value>
+class ByBit {
+ public:
+  explicit ByBit(const BitNumbering& numbering) : groups_((numbering.count() + kGroup - 1) / kGroup) {}
+
+  Value& operator[](uint32_t bit) {
+    std::unique_ptr<std::array<Value, kGroup>>& group = groups_[bit / kGroup];
+    if (group == nullptr) group = std::make_unique<std::array<Value, kGroup>>();
+    return (*group)[bit % kGroup];
+  }
+
+  /// Calls visit(value) for all that were ever asked for, and for some beside them.
+  template <class Visit>
+  void ForTouched(Visit&& visit) {
+    for (const auto& group : groups_) {
+      if (group == nullptr) continue;
+      for (Value& value : *group) visit(value);
+    }
+  }
+
+ private:
+  static constexpr uint32_t kGroup = 64;
+
+  std::vector<std::unique_ptr<std::array<Value, kGroup>>> groups_;
 };
 
 }  // namespace plcxx::checks

@@ -52,7 +52,7 @@ void ReadNeverDriven(const Context& context, const diag::Message<diag::Text>& me
   const ir::Program& program = context.program;
   std::vector<bool> driven(program.states.size(), false);
   const BitNumbering numbering(program);
-  std::vector<bool> written(numbering.count(), false);
+  ByBit<bool> written(numbering);
   for (const PartAccesses& part : context.parts) {
     for (const Access& access : part.accesses) {
       if (access.kind == AccessKind::kDrive) driven[access.state.index] = true;

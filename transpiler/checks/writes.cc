@@ -8,8 +8,6 @@
 namespace plcxx::checks {
 namespace {
 
-constexpr uint32_t kNone = 0xFFFFFFFF;
-
 /// Calls visit(bit) for each bit that the access covers; an operation on an instance covers all its fields.
 template <class Visit>
 void ForBits(const Context& context, const BitNumbering& numbering, const Access& access, Visit&& visit) {
@@ -35,22 +33,25 @@ bool IsProgramPlace(const Context& context, const Access& access) {
 
 void WrittenInBothParts(const Context& context, const diag::Message<diag::Text>& message) {
   const BitNumbering numbering(context.program);
-  std::vector<const Access*> writer(numbering.count(), nullptr);
-  std::vector<uint32_t> writer_part(numbering.count(), kNone);
+  struct Writer {
+    const Access* access = nullptr;  // the first of all parts
+    uint32_t part = 0;
+  };
+  ByBit<Writer> writers(numbering);
   for (uint32_t p = 0; p < context.parts.size(); ++p) {
-    std::vector<bool> reported(numbering.count(), false);
+    ByBit<bool> reported(numbering);
     for (const Access& access : context.parts[p].accesses) {
       if (access.kind != AccessKind::kWrite || !IsProgramPlace(context, access)) continue;
       const Access* other = nullptr;
       bool known = false;
       ForBits(context, numbering, access, [&](uint32_t bit) {
-        if (writer[bit] == nullptr) {
-          writer[bit] = &access;
-          writer_part[bit] = p;
-        } else if (writer_part[bit] != p) {
+        Writer& writer = writers[bit];
+        if (writer.access == nullptr) {
+          writer = {&access, p};
+        } else if (writer.part != p) {
           known |= reported[bit];
           reported[bit] = true;
-          if (other == nullptr) other = writer[bit];
+          if (other == nullptr) other = writer.access;
         }
       });
       if (other == nullptr || known) continue;
@@ -63,7 +64,7 @@ void WrittenInBothParts(const Context& context, const diag::Message<diag::Text>&
 void DoubleCoil(const Context& context, const diag::Message<diag::Text>& message) {
   const BitNumbering numbering(context.program);
   for (const PartAccesses& part : context.parts) {
-    std::vector<const Access*> last(numbering.count(), nullptr);  // unconditional write that nothing has read yet
+    ByBit<const Access*> last(numbering);  // unconditional write that nothing has read yet
     for (const Access& access : part.accesses) {
       if (access.kind == AccessKind::kRead || access.kind == AccessKind::kDrive || access.kind == AccessKind::kTouch) {
         ForBits(context, numbering, access, [&](uint32_t bit) { last[bit] = nullptr; });
@@ -84,12 +85,12 @@ void DoubleCoil(const Context& context, const diag::Message<diag::Text>& message
 void DeadStore(const Context& context, const diag::Message<diag::Text>& message) {
   const BitNumbering numbering(context.program);
   for (const PartAccesses& part : context.parts) {
-    std::vector<std::vector<uint32_t>> pending(numbering.count());  // by bit: writes that nothing has read yet
-    std::vector<uint32_t> lost(part.accesses.size(), 0);            // by access: bits overwritten unread
+    ByBit<std::vector<uint32_t>> pending(numbering);      // writes that nothing has read yet
+    std::vector<uint32_t> lost(part.accesses.size(), 0);  // by access: bits overwritten unread
     for (uint32_t i = 0; i < part.accesses.size(); ++i) {
       const Access& access = part.accesses[i];
       if (access.kind == AccessKind::kLoopEnd) {
-        for (auto& writes : pending) writes.clear();
+        pending.ForTouched([](std::vector<uint32_t>& writes) { writes.clear(); });
       } else if (access.kind != AccessKind::kWrite) {
         ForBits(context, numbering, access, [&](uint32_t bit) { pending[bit].clear(); });
       } else if (IsProgramPlace(context, access)) {
