@@ -23,6 +23,25 @@ TEST(CommentText, KeepsLettersAndDropsDirectionMarks) {
             "ab");  // right-to-left override
 }
 
+TEST(CommentText, WhatIsNoTextIsAQuestionMark) {
+  EXPECT_EQ(CommentText("a\xEF\xBF\xBD"
+                        "b"),
+            "a?b");
+  // What is left of a character whose end is missing is dropped, and nothing behind the text is read.
+  EXPECT_EQ(CommentText("a\xD0"), "a");
+  EXPECT_EQ(CommentText("a\xE2\x82"), "a");
+}
+
+TEST(CppBytes, BytesThatAreNoAsciiAreThreeDigitsOfEight) {
+  EXPECT_EQ(CppBytes(""), "\"\"");
+  EXPECT_EQ(CppBytes("a7~\x7F"), "\"a7~\x7F\"");
+  EXPECT_EQ(CppBytes("\x80"
+                     "1\xFF"),
+            R"("\2001\377")");
+  EXPECT_EQ(CppBytes("\x8A\xAF\xD3"), R"("\212\257\323")");
+  EXPECT_EQ(CppBytes("\"\\\x01"), R"("\"\\")");
+}
+
 // Read as three bytes, the first of these would be a direction mark.
 TEST(CommentText, CharactersOfFourBytesStayWhole) {
   for (const std::string text : {"\xF0\x98\x9C\x80", "\xF0\x9F\x98\x80", "\xF4\x8F\xBF\xBD"}) {

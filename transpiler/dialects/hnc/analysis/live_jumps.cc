@@ -7,7 +7,10 @@ namespace plcxx::hnc {
 std::optional<bool> ConstantCondition(const Unit& unit, ExprId id) {
   if (!id.valid()) return std::nullopt;
   const Expr& expr = unit.expressions[id];
-  if (!expr.constant || unit.types[expr.type].kind != TypeKind::kInteger) return std::nullopt;
+  if (!expr.constant) return std::nullopt;
+  const TypeKind kind = unit.types[expr.type].kind;
+  if (kind == TypeKind::kReal) return expr.constant->real != 0;
+  if (kind != TypeKind::kInteger) return std::nullopt;
   return expr.constant->integer != 0;
 }
 
