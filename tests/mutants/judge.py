@@ -1,4 +1,5 @@
 """One mutant against the tests that reach it, in two stages: what is cheap, and for what survives that everything else."""
+import math
 import os
 import random
 import signal
@@ -14,12 +15,15 @@ FIRST = 15                  # scenarios, before other tests
 KILLERS = 8                 # of a function, tried first
 MOST = 100                  # scenarios of the first stage; --most N
 COMPILED, ALL_COMPILED = 5, 40  # scenarios whose C++ is another one: so many are compiled, in the first stage and in all
+WAITING = 5                 # times its processor time, before a test is ended
 LONG = 180                  # seconds: a longer test is left out of the second stage, too
 
 
 def run(command, mutant, seconds, place=prepare.SOURCE):
-    """None: passed. Otherwise what failed first."""
-    with subprocess.Popen(command, cwd=place, env=tests_seen.environment(mutant), text=True,
+    """None: passed. Otherwise what failed first. The seconds are the processor's, of one process: a machine that has other
+    work kills no mutant. What waits is ended after several times as long."""
+    limited = ["prlimit", f"--cpu={math.ceil(seconds)}", *map(str, command)]
+    with subprocess.Popen(limited, cwd=place, env=tests_seen.environment(mutant), text=True,
                           errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           start_new_session=True) as process:
         late = []
@@ -28,7 +32,7 @@ def run(command, mutant, seconds, place=prepare.SOURCE):
             late.append(True)
             os.killpg(process.pid, signal.SIGKILL)
 
-        timer = threading.Timer(seconds, end)
+        timer = threading.Timer(WAITING * seconds, end)
         timer.start()
         failed = None
         for line in process.stdout:
@@ -42,7 +46,7 @@ def run(command, mutant, seconds, place=prepare.SOURCE):
                 pass
         code = process.wait()
         timer.cancel()
-    if late:
+    if late or (code in (-signal.SIGXCPU, -signal.SIGKILL) and not failed):
         return "took too long"
     if failed:
         return failed

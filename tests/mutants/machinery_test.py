@@ -53,6 +53,9 @@ def check_fixture(mutate, compiler):
 
 def check_endless():
     assert judge.run(["sleep", "60"], 1, 0.2, HERE) == "took too long"
+    assert judge.run(["sh", "-c", "while :; do :; done"], 1, 1, HERE) == "took too long"
+    # What waits for the processor is not endless.
+    assert judge.run(["sleep", "0.4"], 1, 0.2, HERE) is None
     assert judge.run(["sh", "-c", "echo 'FAILED  a.yaml'; sleep 60"], 1, 30, HERE) == "a.yaml"
     assert judge.run(["sh", "-c", "exit 3"], 1, 30, HERE) == "exit code 3"
     assert judge.run(["true"], 1, 30, HERE) is None

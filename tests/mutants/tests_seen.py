@@ -85,7 +85,7 @@ def emitted_text(path, mutant=0, reached=None):
         try:
             subprocess.run(scenario_command([path], "--cxx", no_compiler(), engine="host"), cwd=prepare.SOURCE,
                            env=environment(mutant, **more), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                           timeout=60)
+                           timeout=300)
         except subprocess.TimeoutExpired:
             return "endless"
         return text.read()
