@@ -3,8 +3,12 @@
 # by its folder's CMakeLists.txt and checked against tests/policy/layers.txt.
 
 add_library(plcxx_options INTERFACE)
-target_compile_options(plcxx_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers
-                       -Wno-restrict)  # GCC 12 sees overlaps in std::string operator+ that are not there
+target_compile_options(plcxx_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # GCC 12 sees overlaps in std::string operator+ that are not there
+  target_compile_options(plcxx_options INTERFACE -Wno-restrict)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")  # std::ranges::stable_sort of GCC's library names what is deprecated
+  target_compile_options(plcxx_options INTERFACE -Wno-deprecated-declarations)
+endif()
 # Internal errors name a file of the project, not of the machine that built it; caches are shared between checkouts.
 target_compile_options(plcxx_options INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
 target_include_directories(plcxx_options INTERFACE ${PROJECT_SOURCE_DIR})
@@ -58,6 +62,12 @@ function(plcxx_dialect NAME)
   endif()
 endfunction()
 
+# plcxx_test_options(<target>): how tests are compiled. What they cost is compiling them.
+function(plcxx_test_options TARGET)
+  target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O0>)
+  target_compile_definitions(${TARGET} PRIVATE PLCXX_ROOT="${PROJECT_SOURCE_DIR}" PLCXX_BINARY="${CMAKE_BINARY_DIR}/bin/plcxx")
+endfunction()
+
 # plcxx_test(<folder> [DEPENDS <folder>...] [RUNS_TOOL] [LABELS <label>...] [SHARDS <n>] [COST <seconds>]
 # [FILTER <filter>]): all *_test.cc of this folder, without those about hnc where nothing reads C. RUNS_TOOL: they run
 # the binary as well. The tests of one that takes long are dealt out to SHARDS entries of ctest, which runs them at
@@ -74,13 +84,14 @@ function(plcxx_test NAME)
   list(TRANSFORM ARG_DEPENDS PREPEND plcxx_)
   add_executable(${NAME}_test ${SOURCES})
   target_link_libraries(${NAME}_test PRIVATE ${ARG_DEPENDS} ${ARG_LIBRARIES} plcxx_options GTest::gmock_main)
+  if(PLCXX_PRECOMPILED)
+    target_precompile_headers(${NAME}_test REUSE_FROM plcxx_test_headers)
+  endif()
   if(ARG_RUNS_TOOL)
     add_dependencies(${NAME}_test plcxx)
   endif()
-  # What the tests cost is compiling them.
-  target_compile_options(${NAME}_test PRIVATE $<$<CONFIG:Release>:-O0>)
+  plcxx_test_options(${NAME}_test)
   set_target_properties(${NAME}_test PROPERTIES UNITY_BUILD ${PLCXX_UNITY})
-  target_compile_definitions(${NAME}_test PRIVATE PLCXX_ROOT="${PROJECT_SOURCE_DIR}" PLCXX_BINARY="${CMAKE_BINARY_DIR}/bin/plcxx")
   set_target_properties(${NAME}_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   if(NOT ARG_SHARDS)
     set(ARG_SHARDS 1)

@@ -63,10 +63,10 @@ TEST(FoldConstants, EachOperationOfIntegersOnEachSideOfItsBorders) {
   for (const auto& [a, b] : pairs) {
     for (const uint32_t width : {8U, 16U, 32U}) {
       if (width == 8 && (a > 0xFF || b > 0xFF)) continue;
-      const auto folded = [&, a = a, b = b](const std::string& operation, std::string_view place) {
+      const auto folded = [&, first = a, second = b](const std::string& operation, std::string_view place) {
         const std::string type = "i" + std::to_string(width);
-        const std::string body = After(Optimize, "%0 = const " + type + " " + std::to_string(a) + "\n%1 = const " +
-                                                     type + " " + std::to_string(b) + "\n%2 = " + operation + "." +
+        const std::string body = After(Optimize, "%0 = const " + type + " " + std::to_string(first) + "\n%1 = const " +
+                                                     type + " " + std::to_string(second) + "\n%2 = " + operation + "." +
                                                      type + " %0 %1\nstore " + std::string(place) + " %2\n");
         return body.substr(0, body.find('\n'));
       };

@@ -174,7 +174,7 @@ PartTerms::PartTerms(const ir::Program& program, const execute::Cells& cells, co
   if (!refusal_.empty()) return;
   Evaluate();
   for (uint32_t i = 0; i < terms_.size(); ++i) cone_.emplace_back(i);
-  justification_.emplace(terms_, cone_, values_, definitions_, [this](const terms::TermFunction& function) {
+  justification_.emplace(terms_, cone_, values_, definitions_, [](const terms::TermFunction& function) {
     return IsAnswer(function) ? terms::UnknownFunction::kCounts : terms::UnknownFunction::kAvoided;
   });
 }

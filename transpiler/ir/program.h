@@ -239,8 +239,8 @@ struct Schedule {
   PlaceId slow_done;            // i32, counts completed slow cycles
   /// i32, counts the fast parts that were due; `run: {fast: n}` then is whole periods until n were. None: fast_only.
   PlaceId fast_done;
-  /// With fast_done: the longest time that the program sets from one call of a part to the next; 0: not known before it
-  /// runs.
+  /// The longest time that the program sets from one call of a part to the next, where that is not a period; 0: it is,
+  /// or is not known before the program runs.
   uint32_t fast_every_ms = 0, slow_every_ms = 0;
   uint32_t most_periods = 1000;                    // that one part may wait for its turn
   HostFunctionId now;                              // the host function that gives the time in ms

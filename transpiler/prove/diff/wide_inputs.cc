@@ -38,8 +38,7 @@ std::vector<bool> ReadCells(const terms::Terms& terms, const machine::Relation& 
 
 WideInputs::WideInputs(const UnrolledVersions& versions, const terms::Terms& terms,
                        const machine::Relation& old_relation, const machine::Relation& new_relation,
-                       const std::vector<execute::CellId>& cells)
-    : versions_(versions) {
+                       const std::vector<execute::CellId>& cells) {
   const std::vector<terms::TermId> old_cone = terms::ConeOf(terms, RootsOf(old_relation)),
                                    new_cone = terms::ConeOf(terms, RootsOf(new_relation));
   const std::vector<bool> old_read = ReadCells(terms, old_relation, old_cone),

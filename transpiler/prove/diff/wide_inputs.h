@@ -67,7 +67,6 @@ class WideInputs {
   std::map<uint32_t, uint32_t> of_old_, of_new_;  // by cell
   std::map<Word, std::vector<uint64_t>> words_;   // with what they are compared
   std::array<Habit, terms::Plane::kWords> habits_;
-  const UnrolledVersions& versions_;
   terms::Random random_{0xC2B2AE3D27D4EB4F};
   uint32_t period_ = 0;
 };

@@ -194,11 +194,11 @@ struct BinaryInfo {
 };
 
 constexpr BinaryInfo Info(BinaryOp op) {
-  constexpr BinaryInfo kRows[] = {
+  constexpr BinaryInfo kBinaryRows[] = {
 #define HNC_BINARY(Key, Sign, Printed, Family) {Sign, Printed, BinaryFamily::k##Family},
 #include "transpiler/dialects/hnc/syntax/binary_operators.def"
   };
-  return kRows[static_cast<size_t>(op)];
+  return kBinaryRows[static_cast<size_t>(op)];
 }
 
 constexpr bool IsComparison(BinaryOp op) {

@@ -88,6 +88,7 @@ void Schedule::Lower() {
   schedule.period_ms = 1;
   schedule.slot_ms = 1;
   schedule.slow_done = slow_done_;
+  schedule.slow_every_ms = settings_.slowdiv;  // ticks of 1 ms
   schedule.retentive_load = host_[HostCall::kRetentiveLoad];
   schedule.retention = true;
 }
