@@ -43,8 +43,9 @@ void LogicStack::Operate(Join join, ValueId operand) {
 /// first ? operand : status AND operand = operand AND (status OR first); OR accordingly: no branch.
 void LogicStack::OperateUnless(ValueId is_first, Join join, ValueId operand) {
   PLCXX_CHECK(depth() == 0 && !has_alternative());
-  const ValueId before = join == Join::kAnd ? Joined(builder_, Join::kOr, Value(), is_first)
-                                            : Joined(builder_, Join::kAnd, Value(), Inverted(builder_, is_first));
+  const bool is_and = join == Join::kAnd;
+  const ValueId other = is_and ? is_first : Inverted(builder_, is_first);
+  const ValueId before = Joined(builder_, is_and ? Join::kOr : Join::kAnd, Value(), other);
   SetValue(Joined(builder_, join, before, operand));
 }
 

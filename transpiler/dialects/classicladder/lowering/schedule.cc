@@ -50,7 +50,8 @@ void Lowering::Init() {
   for (const Element* element : edge_elements_) {
     const bool zero = !element->variable.index && Info(element->variable.address.kind).group == Group::kBits;
     if (zero) continue;
-    builder_.Step(ir::OpKind::kPresetEdge, EdgeOf(*element), {ReadBit(element->variable)});
+    const ir::ValueId operand = ReadBit(element->variable);
+    builder_.Step(ir::OpKind::kPresetEdge, EdgeOf(*element), {operand});
   }
 }
 

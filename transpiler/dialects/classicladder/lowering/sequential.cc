@@ -75,7 +75,8 @@ void Lowering::RefreshStep(uint32_t index, const Step& step) {
       builder_.Load(ActiveOf(index)),
       [&] { builder_.Store(ms, builder_.Pure(OpKind::kAdd32, {builder_.Load(ms), Word(settings_.period_ms)})); },
       [&] { builder_.Store(ms, Word(0)); });
-  builder_.Store(PlaceOf({VariableKind::kStepActive, step.number}), builder_.Load(ActiveOf(index)));
+  const ValueId active = builder_.Load(ActiveOf(index));
+  builder_.Store(PlaceOf({VariableKind::kStepActive, step.number}), active);
   const ValueId seconds = builder_.Pure(OpKind::kSignedDiv32, {builder_.Load(ms), Word(kMsPerSecond)});
   builder_.Store(PlaceOf({VariableKind::kStepTime, step.number}), seconds);
 }

@@ -126,8 +126,9 @@ Value Accesses::LoadBitField(const Lvalue& lvalue) {
   const Member& field = *lvalue.bit_field;
   const Type& type = TypeAt(field.type);
   const TypeId wide = unsigned_;  // its unit has 8 or 16 bits (5.6)
-  Value unit = conversions_.ConvertInteger(
-      conversions_.Make(LoadAt(lvalue.address, IrType(field.type), lvalue.expr), IntegerType(type.bits, false)), wide);
+  const TypeId narrow = IntegerType(type.bits, false);
+  const ValueId loaded = LoadAt(lvalue.address, IrType(field.type), lvalue.expr);
+  Value unit = conversions_.ConvertInteger(conversions_.Make(loaded, narrow), wide);
   if (field.bit_offset != 0) {
     unit = operators_.BinaryInteger(BinaryOp::kShiftRight, unit, conversions_.Number(field.bit_offset, wide), Expr{});
   }
@@ -140,8 +141,9 @@ Value Accesses::InBitField(const Value& digits, const Lvalue& lvalue) {
   const TypeId wide = unsigned_;  // its unit has 8 or 16 bits (5.6)
   const Expr nowhere;
   const int64_t mask = (int64_t{1} << field.bit_width) - 1;
-  Value result = operators_.BinaryInteger(BinaryOp::kBitAnd, conversions_.Convert(digits, wide),
-                                          conversions_.Number(mask, wide, 16), nowhere);
+  const Value all_ones = conversions_.Number(mask, wide, 16);
+  const Value widened = conversions_.Convert(digits, wide);
+  Value result = operators_.BinaryInteger(BinaryOp::kBitAnd, widened, all_ones, nowhere);
   if (type.is_signed) {
     // Its highest bit is the sign: (u ^ s) - s.
     const Value sign = conversions_.Number(int64_t{1} << (field.bit_width - 1), wide, 16);

@@ -93,7 +93,9 @@ void Dispatcher::Dispatch(ir::PlaceId channel) {
   const auto index = [&] { return builder_.Load(channel); };
   const ir::PlaceId modal = ChannelByte(modal_[0], "modal");
   builder_.When(Pure(OpKind::kNotEqual8, {builder_.Load(modal, index()), builder_.Constant(ir::Type::kI8, 0)}), [&] {
-    builder_.Store(modal, builder_.Constant(ir::Type::kI8, 0), index());
+    const ValueId at = index();
+    const ValueId none = builder_.Constant(ir::Type::kI8, 0);
+    builder_.Store(modal, none, at);
     handlers_.Call(4, channel, {});
   });
   const ir::PlaceId strobes = ChannelWord(Area::kF, kStrobeWord, "mst_strobes");
@@ -107,10 +109,14 @@ void Dispatcher::Dispatch(ir::PlaceId channel) {
     return Pure(OpKind::kEqual16, {Pure(OpKind::kAnd16, {builder_.Load(place, index()), hex(mask)}), Word(0)});
   };
   const auto set = [&](ir::PlaceId place, uint16_t mask) {
-    builder_.Store(place, Pure(OpKind::kOr16, {builder_.Load(place, index()), hex(mask)}), index());
+    const ValueId at = index();
+    const ValueId changed = Pure(OpKind::kOr16, {builder_.Load(place, index()), hex(mask)});
+    builder_.Store(place, changed, at);
   };
   const auto clear = [&](ir::PlaceId place, uint16_t mask) {
-    builder_.Store(place, Pure(OpKind::kAnd16, {builder_.Load(place, index()), hex(~uint32_t{mask})}), index());
+    const ValueId at = index();
+    const ValueId changed = Pure(OpKind::kAnd16, {builder_.Load(place, index()), hex(~uint32_t{mask})});
+    builder_.Store(place, changed, at);
   };
   const auto both = [&](ValueId a, ValueId b) { return Pure(OpKind::kBitAnd, {a, b}); };
   for (uint32_t k = 0; k < 4; ++k) {
@@ -124,18 +130,33 @@ void Dispatcher::Dispatch(ir::PlaceId channel) {
     const auto is = [&](uint8_t value) {
       return Pure(OpKind::kEqual8, {builder_.Load(state, index()), builder_.Constant(ir::Type::kI8, value)});
     };
-    const auto become = [&](uint8_t value) { builder_.Store(state, builder_.Constant(ir::Type::kI8, value), index()); };
-    const auto give_up = [&] { builder_.Store(mod, Pure(OpKind::kMinus16, {Word(1)}), index()); };
+    const auto put = [&](ir::PlaceId place, uint8_t value) {
+      const ValueId at = index();
+      const ValueId number = builder_.Constant(ir::Type::kI8, value);
+      builder_.Store(place, number, at);
+    };
+    const auto become = [&](uint8_t value) { put(state, value); };
+    const auto give_up = [&] {
+      const ValueId at = index();
+      const ValueId minus_one = Pure(OpKind::kMinus16, {Word(1)});
+      builder_.Store(mod, minus_one, at);
+    };
     // The state is asked alone and first: in most cycles there is no request, and a look at it is all that happens.
     const auto when = [&](uint8_t value, const std::function<ValueId()>& condition, const std::function<void()>& body) {
       builder_.When(is(value), [&] { builder_.When(condition(), body); });
     };
-    const auto requested = [&] { return both(has(strobes, row.strobe), lacks(strobes, kCancel)); };
+    const auto requested = [&] {
+      const ValueId not_cancelled = lacks(strobes, kCancel);
+      const ValueId asked = has(strobes, row.strobe);
+      return both(asked, not_cancelled);
+    };
     when(kIdle, requested, [&] {
-      builder_.Store(mod, builder_.Load(code, index()), index());
+      const ValueId at = index();
+      const ValueId asked = builder_.Load(code, index());
+      builder_.Store(mod, asked, at);
       set(flags, row.busy);
       become(kActive);
-      if (once) builder_.Store(called, builder_.Constant(ir::Type::kI8, 0), index());
+      if (once) put(called, 0);
       if (k != 0 || settings_.m00_flags == M00FlagsOption::kOff) return;
       builder_.When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(0)}), [&] { set(flags, kM00); });
       builder_.When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(1)}), [&] { set(flags, kM01); });
@@ -147,7 +168,9 @@ void Dispatcher::Dispatch(ir::PlaceId channel) {
       become(kDone);
     });
     const auto goes_on = [&] {
-      return Pure(OpKind::kBitNot, {both(has(strobes, kHold), lacks(flags, row.hold_disabled))});
+      const ValueId may_hold = lacks(flags, row.hold_disabled);
+      const ValueId held = has(strobes, kHold);
+      return Pure(OpKind::kBitNot, {both(held, may_hold)});
     };
     when(kActive, goes_on, [&] {
       if (!once) {
@@ -157,7 +180,7 @@ void Dispatcher::Dispatch(ir::PlaceId channel) {
       const ValueId first =
           Pure(OpKind::kEqual8, {builder_.Load(called, index()), builder_.Constant(ir::Type::kI8, 0)});
       builder_.When(first, [&] {
-        builder_.Store(called, builder_.Constant(ir::Type::kI8, 1), index());
+        put(called, 1);
         handlers_.Call(k, channel, give_up);
       });
     });
@@ -176,7 +199,9 @@ void Dispatcher::Complete(ir::PlaceId channel) {
                     flags = ChannelWord(Area::kG, kFlagsWord, "mst_flags");
   const auto hex = [&](uint32_t value) { return builder_.Constant(ir::Type::kI16, value & 0xFFFF, 16); };
   const auto change = [&](ir::PlaceId place, OpKind op, uint32_t mask) {
-    builder_.Store(place, Pure(op, {builder_.Load(place, index()), hex(mask)}), index());
+    const ValueId at = index();
+    const ValueId changed = Pure(op, {builder_.Load(place, index()), hex(mask)});
+    builder_.Store(place, changed, at);
   };
   const auto state_is = [&](uint32_t k, uint8_t value) {
     const ir::PlaceId state = ChannelByte(states_[0][k], "state_" + std::string(1, kHandlerKinds[k]));
@@ -189,8 +214,10 @@ void Dispatcher::Complete(ir::PlaceId channel) {
       builder_.When(Pure(OpKind::kEqual16, {builder_.Load(mod, index()), Pure(OpKind::kMinus16, {Word(1)})}), [&] {
         change(flags, OpKind::kAnd16, ~uint32_t{row.busy});
         change(acks, OpKind::kOr16, row.ack);
-        builder_.Store(ChannelByte(states_[0][k], "state_" + std::string(1, kHandlerKinds[k])),
-                       builder_.Constant(ir::Type::kI8, kDone), index());
+        const ValueId at = index();
+        const ValueId done = builder_.Constant(ir::Type::kI8, kDone);
+        const ir::PlaceId state = ChannelByte(states_[0][k], "state_" + std::string(1, kHandlerKinds[k]));
+        builder_.Store(state, done, at);
       });
     });
   }

@@ -334,10 +334,10 @@ Value Expressions::Increment(ExprId id) {
   } else {
     // In the operand's own width (6.2); a byte is computed as int and narrowed, which is the same.
     const TypeId wide = type.bits == 8 ? int_ : target.type;
-    after =
-        conversions_.Convert(operators_.Binary(up ? BinaryOp::kAdd : BinaryOp::kSubtract,
-                                               conversions_.Convert(before, wide), conversions_.Number(1, wide), expr),
-                             target.type);
+    const Value one = conversions_.Number(1, wide);
+    const Value widened = conversions_.Convert(before, wide);
+    after = conversions_.Convert(operators_.Binary(up ? BinaryOp::kAdd : BinaryOp::kSubtract, widened, one, expr),
+                                 target.type);
   }
   accesses_.Store(target, after, IndexFault::kRecorded);
   if (!returns_new) return before;

@@ -90,7 +90,9 @@ void Functions::BeginLocals(const Function& function) {
     const auto copied = copied_parameters_.find(id.index);
     if (copied == copied_parameters_.end()) continue;
     const ir::Type type = program_.places[copied->second].type;
-    builder_.Store(places_.At(objects_.OfVariable(id), 0, type), builder_.Load(copied->second));
+    const ir::ValueId handed = builder_.Load(copied->second);
+    const ir::PlaceId copy = places_.At(objects_.OfVariable(id), 0, type);
+    builder_.Store(copy, handed);
   }
   frame_.block_locals = {};
   for (const StatementId block : jumps_.statements()) {

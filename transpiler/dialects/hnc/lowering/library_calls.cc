@@ -174,15 +174,19 @@ CallResult LibraryCalls::MemoryFunction(const Expr& expr) {
     const ValueId last = Pure(OpKind::kSub32, {builder_.Load(count), Long(1)});
     return Pure(OpKind::kSelect32, {builder_.Load(backward), Pure(OpKind::kSub32, {last, forward}), forward});
   };
+  const auto at_position = [&](const auto& pointer) {
+    const ValueId counter = position();
+    return At(pointer(), counter);
+  };
   if (compares) {
-    const ValueId a = accesses_.LoadAt(At(target(), position()), ir::Type::kI8, own);
+    const ValueId a = accesses_.LoadAt(at_position(target), ir::Type::kI8, own);
     const ir::PlaceId first = keep("first", a);
-    const ValueId b = accesses_.LoadAt(At(source(), position()), ir::Type::kI8, own);
+    const ValueId b = accesses_.LoadAt(at_position(source), ir::Type::kI8, own);
     builder_.Store(difference, Pure(OpKind::kSub16, {Pure(OpKind::kWiden8To16, {builder_.Load(first)}),
                                                      Pure(OpKind::kWiden8To16, {b})}));
   } else {
-    const ValueId moved = sets ? builder_.Load(value) : accesses_.LoadAt(At(source(), position()), ir::Type::kI8, own);
-    accesses_.StoreAt(At(target(), position()), ir::Type::kI8, moved, own);
+    const ValueId moved = sets ? builder_.Load(value) : accesses_.LoadAt(at_position(source), ir::Type::kI8, own);
+    accesses_.StoreAt(at_position(target), ir::Type::kI8, moved, own);
   }
   builder_.SetRegion(loop.step);
   builder_.Store(at, Pure(OpKind::kAdd32, {builder_.Load(at), Long(1)}));

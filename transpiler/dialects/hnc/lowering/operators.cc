@@ -333,8 +333,9 @@ Value Operators::SelectValue(ValueId condition, const Value& a, const Value& b, 
       op = OpKind::kSelectF64;
       break;
     case ir::Type::kF32: {
-      const Value wide =
-          SelectValue(condition, conversions_.Convert(x, double_), conversions_.Convert(y, double_), double_);
+      const Value wide_y = conversions_.Convert(y, double_);
+      const Value wide_x = conversions_.Convert(x, double_);
+      const Value wide = SelectValue(condition, wide_x, wide_y, double_);
       return conversions_.Convert(wide, type);
     }
     case ir::Type::kNone:

@@ -56,7 +56,9 @@ void Records::Clear(ObjectId object) {
   if (size <= 4 * kMostPlainStores) {
     for (uint32_t at = 0; at < size;) {
       const ir::Type width = size - at >= 4 ? ir::Type::kI32 : size - at >= 2 ? ir::Type::kI16 : ir::Type::kI8;
-      builder_.Store(places_.At(object, at, width), builder_.Constant(width, 0));
+      const ValueId zero = builder_.Constant(width, 0);
+      const ir::PlaceId piece = places_.At(object, at, width);
+      builder_.Store(piece, zero);
       at += ir::Bytes(width);
     }
     return;
@@ -72,8 +74,10 @@ void Records::Clear(ObjectId object) {
                 .exhausted = {}};
   builder_.Into(loop.condition, [&] { Pure(OpKind::kLess32, {builder_.Load(at), Long(size)}); });
   builder_.Into(loop.body, [&] {
-    builder_.Store(places_.IndexedAt(object, 0, 1, ir::Type::kI8), builder_.Constant(ir::Type::kI8, 0),
-                   builder_.Load(at));
+    const ValueId index = builder_.Load(at);
+    const ValueId zero = builder_.Constant(ir::Type::kI8, 0);
+    const ir::PlaceId byte = places_.IndexedAt(object, 0, 1, ir::Type::kI8);
+    builder_.Store(byte, zero, index);
   });
   builder_.Into(loop.step, [&] { builder_.Increment(at); });
   builder_.LoopWith(loop);

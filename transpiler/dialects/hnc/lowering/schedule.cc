@@ -102,7 +102,9 @@ void Schedule::Copy(Area area, uint32_t to, uint32_t from, uint32_t bytes) {
   for (uint32_t at = 0; at < bytes;) {
     const ir::Type width = bytes - at >= 4 ? ir::Type::kI32 : bytes - at >= 2 ? ir::Type::kI16 : ir::Type::kI8;
     const ObjectId object = objects_.OfArea(area);
-    builder_.Store(places_.At(object, to + at, width), builder_.Load(places_.At(object, from + at, width)));
+    const ValueId copied = builder_.Load(places_.At(object, from + at, width));
+    const ir::PlaceId target = places_.At(object, to + at, width);
+    builder_.Store(target, copied);
     at += ir::Bytes(width);
   }
 }
@@ -116,7 +118,9 @@ void Schedule::AddStandstill() {
   for (const Area area : {Area::kY, Area::kG}) {
     const ObjectId object = objects_.OfArea(area);
     for (uint32_t at = 0; at < objects_[object].size; at += 4) {
-      builder_.Store(places_.At(object, at, ir::Type::kI32), Long(0));
+      const ValueId zero = Long(0);
+      const ir::PlaceId output = places_.At(object, at, ir::Type::kI32);
+      builder_.Store(output, zero);
     }
   }
   builder_.Store(faults_.stopped(), builder_.Bit(1));

@@ -95,7 +95,9 @@ void Statements::LowerReached(StatementId id, const Statement& statement, Tail t
       writer_.Mark(id, statement.range, false);
       const bool enters = statement.kind == StatementKind::kCriticalEnter;
       flow_.critical = enters ? std::optional(statement.range) : std::nullopt;
-      builder_.Store(critical_.Flag(), builder_.Bit(enters ? 1 : 0));
+      const ir::ValueId inside = builder_.Bit(enters ? 1 : 0);
+      const ir::PlaceId flag = critical_.Flag();
+      builder_.Store(flag, inside);
       critical_.Call(enters ? "critical_enter" : "critical_leave");
       return;
     }

@@ -128,18 +128,23 @@ void SystemRoutines::Build(SystemRoutine routine, ir::RoutineId id) {
           Pure(OpKind::kNotEqual16, {parameter(1), Word(0)}),
           [&] {
             const ValueId word = AxisWord(Area::kG, 0, ir::Type::kI16, axis());
-            SetAxisWord(0, ir::Type::kI16, Pure(OpKind::kOr16, {word, builder_.Constant(ir::Type::kI16, 0x40, 16)}),
-                        axis());
+            const ValueId index = axis();
+            const ValueId changed = Pure(OpKind::kOr16, {word, builder_.Constant(ir::Type::kI16, 0x40, 16)});
+            SetAxisWord(0, ir::Type::kI16, changed, index);
           },
           [&] {
             const ValueId word = AxisWord(Area::kG, 0, ir::Type::kI16, axis());
-            SetAxisWord(0, ir::Type::kI16, Pure(OpKind::kAnd16, {word, builder_.Constant(ir::Type::kI16, 0xFFBF, 16)}),
-                        axis());
+            const ValueId index = axis();
+            const ValueId changed = Pure(OpKind::kAnd16, {word, builder_.Constant(ir::Type::kI16, 0xFFBF, 16)});
+            SetAxisWord(0, ir::Type::kI16, changed, index);
           });
       return;
-    case SystemRoutine::kSetAxisJog:
-      SetAxisWord(4, ir::Type::kI16, parameter(1), axis());
+    case SystemRoutine::kSetAxisJog: {
+      const ValueId index = axis();
+      const ValueId direction = parameter(1);
+      SetAxisWord(4, ir::Type::kI16, direction, index);
       return;
+    }
     case SystemRoutine::kSetAxisStep:
       builder_.When(Pure(OpKind::kNotEqual32, {parameter(1), Long(0)}), [&] {
         const ir::PlaceId l = local("l", ir::Type::kI32, Pure(OpKind::kAdd32, {pic_a(), parameter(1)}));
@@ -150,8 +155,12 @@ void SystemRoutines::Build(SystemRoutine routine, ir::RoutineId id) {
         };
         builder_.When(Pure(OpKind::kSignedGreater32, {builder_.Load(v), vmax()}), [&] { builder_.Store(v, vmax()); });
         builder_.When(Pure(OpKind::kSignedLess32, {builder_.Load(v), Long(2)}), [&] { builder_.Store(v, Long(2)); });
-        SetAxisWord(1, ir::Type::kI32, builder_.Load(l), axis());
-        SetAxisWord(3, ir::Type::kI16, Pure(OpKind::kLowHalf32, {builder_.Load(v)}), axis());
+        const ValueId index_of_way = axis();
+        const ValueId way = builder_.Load(l);
+        SetAxisWord(1, ir::Type::kI32, way, index_of_way);
+        const ValueId index_of_speed = axis();
+        const ValueId new_speed = Pure(OpKind::kLowHalf32, {builder_.Load(v)});
+        SetAxisWord(3, ir::Type::kI16, new_speed, index_of_speed);
       });
       return;
     case SystemRoutine::kSetAxisMove:
@@ -167,8 +176,12 @@ void SystemRoutines::Build(SystemRoutine routine, ir::RoutineId id) {
         const ir::PlaceId sum =
             local("sum", ir::Type::kI32, Pure(OpKind::kAdd32, {builder_.Load(l1), builder_.Load(l2)}));
         const ValueId mean = Pure(OpKind::kSignedDiv32, {builder_.Load(product), builder_.Load(sum)});
-        SetAxisWord(3, ir::Type::kI16, Pure(OpKind::kLowHalf32, {mean}), axis());
-        SetAxisWord(1, ir::Type::kI32, Pure(OpKind::kAdd32, {pic_a(), parameter(1)}), axis());
+        const ValueId index_of_speed = axis();
+        const ValueId new_speed = Pure(OpKind::kLowHalf32, {mean});
+        SetAxisWord(3, ir::Type::kI16, new_speed, index_of_speed);
+        const ValueId index_of_way = axis();
+        const ValueId way = Pure(OpKind::kAdd32, {pic_a(), parameter(1)});
+        SetAxisWord(1, ir::Type::kI32, way, index_of_way);
       });
       return;
     case SystemRoutine::kSetAxisMoveto: {
@@ -199,7 +212,9 @@ void SystemRoutines::Build(SystemRoutine routine, ir::RoutineId id) {
               builder_.Store(l, Pure(OpKind::kMinus32, {builder_.Load(way)}));
             });
           });
-      SetAxisWord(1, ir::Type::kI32, builder_.Load(l), axis());
+      const ValueId index = axis();
+      const ValueId way = builder_.Load(l);
+      SetAxisWord(1, ir::Type::kI32, way, index);
       CallAgain(SystemFunction::kSetAxisJog, {parameter(0), Word(0)});
       CallAgain(SystemFunction::kSetAxisHome, {parameter(0), Word(0)});
       return;
@@ -216,12 +231,18 @@ void SystemRoutines::Build(SystemRoutine routine, ir::RoutineId id) {
     }
     case SystemRoutine::kGetHandwheel: {
       const auto wheel = [&] { return Pure(OpKind::kWiden16To32, {parameter(0)}); };
-      builder_.Store(result, builder_.Load(HandwheelPlace(), wheel()));
-      builder_.Store(HandwheelPlace(), Word(0), wheel());
+      const ValueId index_of_counts = wheel();
+      const ir::PlaceId handwheels = HandwheelPlace();
+      builder_.Store(result, builder_.Load(handwheels, index_of_counts));
+      const ValueId index_to_clear = wheel();
+      const ValueId zero = Word(0);
+      builder_.Store(handwheels, zero, index_to_clear);
       return;
     }
     case SystemRoutine::kHandwheel: {
-      const ValueId counts = builder_.CallRoutine(Routine(SystemFunction::kGetHandwheel), {parameter(0)});
+      const ValueId wheel = parameter(0);
+      const ir::RoutineId get = Routine(SystemFunction::kGetHandwheel);
+      const ValueId counts = builder_.CallRoutine(get, {wheel});
       const ir::PlaceId n = local("n", ir::Type::kI16, counts);
       const ValueId way = Pure(OpKind::kMul32, {Pure(OpKind::kSignExtend16To32, {builder_.Load(n)}),
                                                 Pure(OpKind::kSignExtend16To32, {parameter(2)})});

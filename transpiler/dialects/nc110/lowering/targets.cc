@@ -67,7 +67,8 @@ void Targets::StepTimer(const Assignment& assignment, ir::ValueId input) {
   } else {
     preset = builder_.Poison(ir::Type::kI32);
   }
-  builder_.Step(OpKind::kOnDelay, cells_.InstanceOf(target), {input, preset, system_.Load(SystemPlace::kNow)});
+  const ir::ValueId now = system_.Load(SystemPlace::kNow);
+  builder_.Step(OpKind::kOnDelay, cells_.InstanceOf(target), {input, preset, now});
 }
 
 void Targets::StepCounter(const Assignment& assignment, ir::ValueId input) {

@@ -35,7 +35,9 @@ ValueId Bits::Read(const Operand& operand) {
 }
 
 void Bits::Assign(const Operand& target) {
-  builder_.Store(cells_.Bit(target), logic_.Value());
+  const ValueId value = logic_.Value();
+  const ir::PlaceId place = cells_.Bit(target);
+  builder_.Store(place, value);
   if (target.space() == Space::kP) operands_.SendLatch(target.number);
 }
 

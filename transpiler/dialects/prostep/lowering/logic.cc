@@ -42,8 +42,10 @@ void Logic::BeginString() {
   if (registers_.first() == nullptr || stack_->depth() > 0) return stack_->BeginAlternative();
   const std::optional<uint64_t> first = registers_.first()->Known();
   if (!first) {
-    const ValueId before =
-        dialects::Joined(builder_, Join::kAnd, stack_->Value(), Inverted(builder_, registers_.first()->Get()));
+    const ValueId is_first = registers_.first()->Get();
+    const ValueId is_continued = Inverted(builder_, is_first);
+    const ValueId status = stack_->Value();
+    const ValueId before = dialects::Joined(builder_, Join::kAnd, status, is_continued);
     return stack_->BeginAlternative(before);
   }
   stack_->BeginAlternative(*first != 0 ? builder_.Bit(0) : stack_->Value());

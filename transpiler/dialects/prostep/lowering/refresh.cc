@@ -21,7 +21,9 @@ void Refresh::Outputs() {
   const ValueId count = cells_.Load(Space::kD, kOutputCountAddress, ir::Type::kI16);
   for (uint32_t port = 0; port < kMostOutputBytes; ++port) {
     builder_.When(Pure(OpKind::kGreater16, {count, Word(port)}), [&] {
-      builder_.Store(cells_.Latch(port), cells_.Load(Space::kO, port, ir::Type::kI8));
+      const ValueId output_byte = cells_.Load(Space::kO, port, ir::Type::kI8);
+      const ir::PlaceId latch = cells_.Latch(port);
+      builder_.Store(latch, output_byte);
       builder_.AsExchange(host_(HostCall::kWritePort, {Number(port), builder_.Load(cells_.Latch(port))}));
     });
   }

@@ -30,7 +30,10 @@ ValueId Timing::StartsTimer(const Instruction& instruction, OpKind start, ValueI
   if (start == OpKind::kStartLatchedDelay)
     return both(rises, dialects::Inverted(builder_, builder_.Load(instances_.OutputOf(number))));
   if (start != OpKind::kStartOffDelay) return rises;
-  return both(both(dialects::Inverted(builder_, condition), edge), builder_.Load(instances_.OutputOf(number)));
+  const ValueId output = builder_.Load(instances_.OutputOf(number));
+  const ValueId is_off = dialects::Inverted(builder_, condition);
+  const ValueId falls = both(is_off, edge);
+  return both(falls, output);
 }
 
 ValueId Timing::Parameter(const Instruction& instruction) {
@@ -73,7 +76,9 @@ void Timing::SetCounter(const Instruction& instruction) {
 }
 
 void Timing::ResetTimer(const Instruction& instruction) {
-  builder_.Step(OpKind::kResetTimer, instances_.Timer(instruction.operand.number), {logic_.Value()});
+  const ValueId condition = logic_.Value();
+  const ir::StateId timer = instances_.Timer(instruction.operand.number);
+  builder_.Step(OpKind::kResetTimer, timer, {condition});
 }
 
 void Timing::ResetCounter(const Instruction& instruction) {

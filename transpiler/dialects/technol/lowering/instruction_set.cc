@@ -135,8 +135,12 @@ void InstructionSet::RaiseError(const Instruction& instruction) {
     if (settings_.eset == EsetForm::kBinary) return builder_.Byte(value);
     return builder_.Constant(ir::Type::kI8, value / 10 * 16 + value % 10, 16);
   };
-  builder_.Store(cells_.System("BZH11"), stored(number(0)));
-  builder_.Store(cells_.System("BZH22"), stored(number(1)));
+  const ir::ValueId main_number = stored(number(0));
+  const ir::PlaceId main_cell = cells_.System("BZH11");
+  builder_.Store(main_cell, main_number);
+  const ir::ValueId sub_number = stored(number(1));
+  const ir::PlaceId sub_cell = cells_.System("BZH22");
+  builder_.Store(sub_cell, sub_number);
   host_(HostCall::kErrorRaised, {builder_.Byte(number(0)), builder_.Byte(number(1))});
 }
 

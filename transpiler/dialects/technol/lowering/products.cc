@@ -114,8 +114,9 @@ void Products::Divide(const Instruction& instruction, Signedness signedness) {
   registers_.Split(
       quotient.fits, [&] { store(quotient.whole, quotient.remainder); },
       [&] {
-        store(builder_.Constant(signedness == Signedness::kSigned ? lowest : ones, width, 16),
-              builder_.Constant(0, width));
+        const ValueId no_remainder = builder_.Constant(0, width);
+        const ValueId no_quotient = builder_.Constant(signedness == Signedness::kSigned ? lowest : ones, width, 16);
+        store(no_quotient, no_remainder);
         faults_.Report(Fault::kDivide);
       });
 }
