@@ -7,8 +7,9 @@ import shutil
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-WARNINGS = ["-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wno-sign-conversion", "-Wno-missing-field-initializers",
-            "-Wno-restrict", "-Werror"]
+# GCC takes what it does not know of -Wno-, Clang when it is told to; as cmake/PlcxxTargets.cmake has them for each.
+WARNINGS = ["-Wno-unknown-warning-option", "-Wno-deprecated-declarations", "-Wall", "-Wextra", "-Wshadow", "-Wconversion",
+            "-Wno-sign-conversion", "-Wno-missing-field-initializers", "-Wno-restrict", "-Werror"]
 
 
 def copy_to(directory):
