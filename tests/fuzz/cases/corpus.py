@@ -64,3 +64,11 @@ def cases(root, dialects=DIALECTS):
         case = read(dialect, path)
         if case.sources and all(name in case.files for name in case.sources):
             yield case
+
+
+def write(folder, files):
+    """Files by name, with the folders that they lie in."""
+    for name, data in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)

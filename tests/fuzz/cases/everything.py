@@ -46,10 +46,7 @@ def attempt(plcxx, case, chosen_commands):
     found = []
     with tempfile.TemporaryDirectory(prefix="plcxx_every_") as scratch:
         folder = pathlib.Path(scratch)
-        for name, data in case.files.items():
-            path = folder / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(data)
+        corpus.write(folder, case.files)
         properties(folder, case)
         for words, messages, seconds in chosen_commands:
             problem, _ = invoke.run([plcxx, *words], folder, 4 * seconds, messages)

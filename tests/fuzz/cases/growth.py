@@ -19,6 +19,7 @@ import tempfile
 import time
 
 import commands
+import corpus
 import kinds
 import picked_kinds
 
@@ -109,9 +110,7 @@ def attempt(args, start, job):
     name, command, files, source, program, words, answers = job
     with tempfile.TemporaryDirectory(prefix="plcxx_growth_") as scratch:
         folder = pathlib.Path(scratch)
-        for other, data in files.items():
-            (folder / other).parent.mkdir(parents=True, exist_ok=True)
-            (folder / other).write_bytes(data)
+        corpus.write(folder, files)
         return name, command, measure(args, start, folder, folder / source, program, COMMANDS[command](words), answers)
 
 

@@ -60,13 +60,6 @@ def mutated(rng, case, pool):
     return dataclasses.replace(case, files=files, options=options, sources=sources, maps=maps), names
 
 
-def write(folder, files):
-    for name, data in files.items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(data)
-
-
 def attempt(number, args, cases, pool):
     rng = random.Random(f"{args.seed}-{number}")
     original = rng.choice(cases)
@@ -75,7 +68,7 @@ def attempt(number, args, cases, pool):
     found = []
     with tempfile.TemporaryDirectory(prefix="plcxx_fuzz_") as scratch:
         folder = pathlib.Path(scratch)
-        write(folder, case.files)
+        corpus.write(folder, case.files)
         chosen = rng.sample(list(commands.of(case)), 3)
         if rng.random() < args.dear:
             chosen.append(rng.choice(list(commands.dear(case))))
@@ -90,7 +83,7 @@ def attempt(number, args, cases, pool):
                     kept = pathlib.Path(args.keep) / f"{args.seed}-{number}"
                     shutil.rmtree(kept, ignore_errors=True)
                     kept.mkdir(parents=True)
-                    write(kept, case.files)
+                    corpus.write(kept, case.files)
                     (kept / "command").write_text(f"{line}\n{problem}\n")
     return number, case, found
 

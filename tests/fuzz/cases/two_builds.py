@@ -36,10 +36,7 @@ def compare(tools, case):
     found = []
     with tempfile.TemporaryDirectory(prefix="plcxx_two_") as scratch:
         folder = pathlib.Path(scratch)
-        for name, data in case.files.items():
-            path = folder / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(data)
+        corpus.write(folder, case.files)
         for form in FORMS:
             words = [*form, *commands.program(case)]
             one, other = (said(tool, words, folder) for tool in tools)
