@@ -102,6 +102,9 @@ message_bits A 4 first 1 count 8
 message_word "odd name"
 message 9 colour 2 "spindle \x01 stopped\n"
 menu_text 1 colour 0 "OFF"
+table modes (number : i16, name : none) "M functions"
+row 3 "spindle \"on\"; clockwise"
+row 300 ""
 )";
 
 TEST(Text, EverythingComesBack) {
@@ -122,6 +125,8 @@ TEST(Text, ReadMeansWhatItSays) {
   EXPECT_EQ(program.routines[RoutineId(1)].slices, 4);
   EXPECT_EQ(program.loops[LoopId(0)].kind, LoopBound::kBudget);
   EXPECT_EQ(program.messages[0].text, "spindle \x01 stopped\n");
+  EXPECT_EQ(program.tables[0].texts[program.tables[0].cells[1]], "spindle \"on\"; clockwise");
+  EXPECT_EQ(program.tables[0].cells[2], 300u);
 }
 
 TEST(Text, ShortTextsAreEnough) {
@@ -214,6 +219,10 @@ TEST(Text, WhatIsWrongIsRefusedWithItsLine) {
       {"routine f fast {\n  jump 7\n}\n", 2, "label expected, found '7'"},
       {"routine f fast {\n  stmt x\n}\n", 2, "statement expected (s and a hexadecimal number), found 'x'"},
       {"routine f fast {\n  stmt s1\n  body {\n  }\n}\n", 5, "instructions beside prologue, body, epilogue"},
+      {"table t (a : i8, b : none)\nrow 1 2\n", 2, "text in quotation marks expected in column 'b'"},
+      {"table t (a : i8, b : none)\nrow 1\n", 2, "text in quotation marks expected in column 'b'"},
+      {"table t (a : i8, b : none)\nrow \"x\" \"y\"\n", 2, "number expected, found 'x'"},
+      {"row 1\n", 1, "row without a table"},
       {"schedule noon\n", 1, "unknown entry of the schedule 'noon'"},
   };
   for (const Wrong& wrong : cases) {

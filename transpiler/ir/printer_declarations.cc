@@ -117,7 +117,10 @@ void PrintTable(std::string& out, const Table& table) {
   out += ')';
   if (!table.comment.empty()) out += ' ' + Quoted(table.comment);
   for (size_t i = 0; i < table.cells.size(); ++i) {
-    out += (i % table.columns.size() == 0 ? "\nrow " : " ") + Decimal(table.cells[i]);
+    const size_t column = i % table.columns.size();
+    const bool is_text = table.columns[column].type == Type::kNone;
+    out += column == 0 ? "\nrow " : " ";
+    out += is_text ? Quoted(table.texts[table.cells[i]]) : Decimal(table.cells[i]);
   }
   out += '\n';
 }

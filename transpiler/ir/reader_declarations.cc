@@ -186,7 +186,15 @@ void ReadTable(Reader& reader) {
 void ReadRow(Reader& reader) {
   if (reader.program.tables.empty()) return reader.Fail("row without a table");
   Table& table = reader.program.tables.back();
-  for (size_t i = 0; i < table.columns.size(); ++i) table.cells.push_back(reader.Number());
+  for (const Parameter& column : table.columns) {
+    if (column.type != Type::kNone) {
+      table.cells.push_back(reader.Number());
+    } else if (reader.AtString()) {
+      table.cells.push_back(table.AddText(reader.Name()));
+    } else {
+      return reader.Fail("text in quotation marks expected in column '" + column.name + "'");
+    }
+  }
 }
 
 void ReadMessageBits(Reader& reader) {
