@@ -89,7 +89,11 @@ TEST(HncRounds, OfEachKindOfLoop) {
       {"i = 0; n = 0; while (n < 5 && i < 10) { i++; n++; }", 5},
   });
   for (const char* once : {"i = 9; do i++; while (i < 5);", "for (i = 5; i < 5; i++) a++;",
-                           "for (i = 5; i < 6; i++) a++;", "do a++; while (0);", "while (1) { a++; break; }"}) {
+                           "for (i = 5; i < 6; i++) a++;", "do a++; while (0);", "while (1) { a++; break; }",
+                           // Every path of the body leaves: the condition is evaluated once at most.
+                           "do { a++; break; } while (b);", "do { if (b) break; else return; } while (a);",
+                           "while (X[0]) { a++; break; }", "for (; X[0]; i += b) { a++; return; }",
+                           "do { for (i = 0; i < 1; i++) { if (b) continue; a++; } break; } while (X[0]);"}) {
     EXPECT_THAT(RoundsOf(once), testing::IsEmpty()) << once;
   }
 }
@@ -124,6 +128,13 @@ TEST(HncRounds, OfRanges) {
       {"if (n == 9) for (i = 0; i < n; i++) a++;", 9},
       {"if (n > 9 || b) return; for (i = 0; i < n; i++) a++;", 9},
       {"if (n < 9 && n > 3) for (i = n; i < 20; i++) a++;", 16},
+      // What abs and labs give.
+      {"for (i = 0; i < abs((X[0] & 7) - 9); i++) a++;", 9},
+      {"for (i = abs((X[0] & 7) - 9); i < 9; i++) a++;", 7},
+      {"for (i = abs(X[0] + 3); i < 9; i++) a++;", 6},
+      {"for (i = abs(5 - X[0]); i < 9; i++) a++;", 9},
+      {"if (n > -20) for (i = 0; i < 9 - abs(n); i++) a++;", 9},
+      {"if (n > -32768 && n < 5) for (i = 0; i <= abs(n) - 1; i++) a++;", 32767},
   });
 }
 
@@ -185,6 +196,14 @@ TEST(HncRounds, WhatIsNoProofIsRefused) {
            "while (~i) i++;",
            "while (i + 1) i++;",
            "for (;;) { if (b) continue; break; }",
+           "do { if (b) continue; break; } while (a);",
+           "do { if (b) break; } while (a);",
+           "while (X[0]) { if (b) continue; break; }",
+           "while (X[0]) { if (b) break; }",
+           "for (; X[0]; i++) { if (b) break; }",
+           // abs of the least value is not positive: the limit is any number.
+           "for (i = 0; i <= abs(n); i++) a++;",
+           "for (i = 0; i <= abs(X[0] > 3 ? 5 : n); i++) a++;",
            // 6.6, 4: not past the end of the type.
            "for (i = 0; i <= n; i++) a++;",
            "for (i = 0; i < n; i += 2) a++;",

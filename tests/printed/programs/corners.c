@@ -82,7 +82,10 @@ static void ends() {
   int k;
   /*@loop_bound 2@*/ do { n++; break; } while (a);
   /*@loop_bound 2@*/ do { n++; if (a) break; else break; n--; } while (a);
-  /*@loop_bound 2@*/ do { n++; return; } while (b);
+  if (c) { /*@loop_bound 2@*/ do { n++; return; } while (b); }
+  while (a) { n++; break; }
+  for (k = 0; k < a; k += b) { n++; if (c) break; else return; }
+  /*@loop_bound 2@*/ do { n++; switch (a) { case 1: return; default: return; } } while (b);
 }
 static int result_in_do() { /*@loop_bound 2@*/ do { n++; return 3; } while (a); }
 static int result_in_switch_of_switch() {

@@ -42,6 +42,13 @@ std::optional<Bounds> Remainder(const Bounds& a, const Bounds& b) {
 
 }  // namespace
 
+Bounds AbsoluteOf(const Bounds& bounds, const Type& type) {
+  const Bounds all = BoundsOf(type);
+  if (bounds.low <= all.low || bounds.high > all.high) return all;
+  const int64_t least = bounds.Holds(0) ? 0 : std::min(std::abs(bounds.low), std::abs(bounds.high));
+  return {least, Magnitude(bounds)};
+}
+
 std::optional<Bounds> Apply(BinaryOp op, const Bounds& a, const Bounds& b, const Type& type) {
   const bool positive = a.low >= 0 && b.low >= 0;
   switch (op) {

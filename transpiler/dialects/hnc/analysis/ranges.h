@@ -28,6 +28,9 @@ constexpr Bounds Join(const Bounds& a, const Bounds& b) { return {std::min(a.low
 std::optional<Bounds> Meet(const Bounds& a, const Bounds& b);
 /// Of an operation whose operands have these bounds, before it wraps; none: any value.
 std::optional<Bounds> Apply(BinaryOp op, const Bounds& a, const Bounds& b, const Type& type);
+/// Of the absolute value as the signed `type` keeps it; all its values where the least one, which has none, may be
+/// among them, or what is not one of its values.
+Bounds AbsoluteOf(const Bounds& bounds, const Type& type);
 
 /// Where a fact about a cell comes from. What has been stored into memory need not be there: it may be forced from
 /// outside. kDeclared: of a constant object, its initialiser; no fact of a flow is that.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "transpiler/dialects/hnc/analysis/loop_counts.h"
+#include "transpiler/dialects/hnc/machine/machine.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::hnc {
@@ -264,8 +265,12 @@ Bounds Intervals::BoundsOfExpr(ExprId id, Origin believed) {
     case ExprKind::kAnd:
     case ExprKind::kOr:
       return {0, 1};
-    case ExprKind::kCall:
-      return ResultOf(expr.function).value_or(all);
+    case ExprKind::kCall: {
+      const std::optional<SystemFunction> system = unit_.functions[expr.function].system;
+      if (!system || RowOf(*system).form != FunctionForm::kAbsolute) return ResultOf(expr.function).value_or(all);
+      if (!IsInteger(unit_.TypeOf(expr.arguments.front()))) return all;
+      return AbsoluteOf(BoundsOfExpr(expr.arguments.front(), believed), type);
+    }
     case ExprKind::kPoison:
     case ExprKind::kConstant:
     case ExprKind::kString:

@@ -31,10 +31,7 @@ CallResult LibraryCalls::Call(const Expr& expr) {
       // With abs=long the parameter may be unsigned or double (headers.cc).
       const Value number = conversions_.Convert(value, *row.operation == OpKind::kAbs32 ? long_ : int_);
       Value absolute = conversions_.Make(Pure(*row.operation, {number.id}), number.type);
-      const Bounds& b = number.bounds;
-      if (b.low > BoundsOf(TypeAt(number.type)).low) {
-        absolute.bounds = {b.low > 0 ? b.low : b.high < 0 ? -b.high : 0, std::max(std::abs(b.low), std::abs(b.high))};
-      }
+      absolute.bounds = AbsoluteOf(number.bounds, TypeAt(number.type));
       result.value = absolute;
       break;
     }

@@ -56,8 +56,8 @@ void Loops::Lower(const Statement& statement) {
   const std::optional<bool> always = ConstantCondition(unit_, statement.expression);
   const bool endless = !statement.expression.valid() || always == true;
   bool continues = false;
-  const bool leaves = endless && !jumps_.GoesOn(statement.then, continues) && !continues;
-  const bool once = (is_do && always == false) || leaves;
+  const bool leaves = !jumps_.GoesOn(statement.then, continues) && !continues;
+  const bool once = (is_do && always == false) || (leaves && (is_do || endless));
   const uint32_t on_break = path_.NewLabel(), on_continue = path_.NewLabel();
   path_.Enter({.on_break = on_break, .on_continue = on_continue, .is_loop = true, .at_ends = {}});
   if (once) {
@@ -70,7 +70,7 @@ void Loops::Lower(const Statement& statement) {
     statements_.Lower(statement.then, Tail::kNone);
     flow_ = before;
   } else {
-    Iterations(statement, on_continue);
+    Iterations(statement, on_continue, leaves);
   }
   path_.Leave();
   path_.PlaceLabel(on_break);
@@ -84,7 +84,7 @@ void Loops::ConditionRegion(ExprId id, ir::RegionId region) {
   if (insts.empty() || insts.back() != value) Pure(OpKind::kBitAnd, {value, value});
 }
 
-void Loops::Iterations(const Statement& statement, uint32_t on_continue) {
+void Loops::Iterations(const Statement& statement, uint32_t on_continue, bool leaves) {
   const bool is_for = statement.kind == StatementKind::kFor, is_do = statement.kind == StatementKind::kDo;
   std::optional<LoopProof> proof;
   if (!statement.loop_bound) {
@@ -94,7 +94,7 @@ void Loops::Iterations(const Statement& statement, uint32_t on_continue) {
                                 .body = {statement.then},
                                 .tests_first = !is_do},
                                refusal);
-    if (!proof) diagnostics_.Report(statement.keyword, diag::HncUnboundedLoop, refusal.why);
+    if (!proof && !leaves) diagnostics_.Report(statement.keyword, diag::HncUnboundedLoop, refusal.why);
   }
   const uint64_t rounds = std::max<uint64_t>(1, statement.loop_bound ? statement.loop_bound->rounds
                                                 : proof              ? proof->count.iterations

@@ -39,7 +39,8 @@ class Loops : Context {
 
  private:
   void ConditionRegion(ExprId id, ir::RegionId region);
-  void Iterations(const Statement& statement, uint32_t on_continue);
+  /// `leaves`: every path of its body leaves it, so that there is one iteration at most.
+  void Iterations(const Statement& statement, uint32_t on_continue, bool leaves);
 
   Faults& faults_;
   Jumps& jumps_;
