@@ -70,6 +70,12 @@ ir::PlaceId Dispatcher::ChannelByte(ir::PlaceId first, const std::string& name) 
   return place;
 }
 
+ir::PlaceId Dispatcher::StateOf(uint32_t kind) {
+  return ChannelByte(states_[0][kind], "state_" + std::string(1, kHandlerKinds[kind]));
+}
+
+ValueId Dispatcher::Mask(uint32_t bits) { return builder_.Constant(ir::Type::kI16, bits & 0xFFFF, 16); }
+
 ir::RoutineId Dispatcher::AddChannelRoutine(const std::string& name, std::string comment, ir::PlaceId& channel) {
   const ir::RoutineId id = builder_.AddRoutine(name, ir::RoutineKind::kSubroutine, std::move(comment));
   locals_.Begin(name);
@@ -78,6 +84,19 @@ ir::RoutineId Dispatcher::AddChannelRoutine(const std::string& name, std::string
   program_.routines[id].parameter_places.push_back(channel);
   builder_.SetRegion(program_.routines[id].body);
   return id;
+}
+
+/// What the channel has of a word becomes `op` of it and the mask.
+void Dispatcher::ChangeBits(ir::PlaceId word, OpKind op, uint32_t mask, ir::PlaceId channel) {
+  const ValueId at = builder_.Load(channel);
+  const ValueId changed = Pure(op, {builder_.Load(word, builder_.Load(channel)), Mask(mask)});
+  builder_.Store(word, changed, at);
+}
+
+void Dispatcher::Put(ir::PlaceId byte, uint8_t value, ir::PlaceId channel) {
+  const ValueId at = builder_.Load(channel);
+  const ValueId number = builder_.Constant(ir::Type::kI8, value);
+  builder_.Store(byte, number, at);
 }
 
 void Dispatcher::AddRoutines() {
@@ -93,36 +112,27 @@ void Dispatcher::Dispatch(ir::PlaceId channel) {
   const auto index = [&] { return builder_.Load(channel); };
   const ir::PlaceId modal = ChannelByte(modal_[0], "modal");
   builder_.When(Pure(OpKind::kNotEqual8, {builder_.Load(modal, index()), builder_.Constant(ir::Type::kI8, 0)}), [&] {
-    const ValueId at = index();
-    const ValueId none = builder_.Constant(ir::Type::kI8, 0);
-    builder_.Store(modal, none, at);
+    Put(modal, 0, channel);
     handlers_.Call(4, channel, {});
   });
   const ir::PlaceId strobes = ChannelWord(Area::kF, kStrobeWord, "mst_strobes");
   const ir::PlaceId acks = ChannelWord(Area::kG, kAckWord, "mst_acks"),
                     flags = ChannelWord(Area::kG, kFlagsWord, "mst_flags");
-  const auto hex = [&](uint32_t value) { return builder_.Constant(ir::Type::kI16, value & 0xFFFF, 16); };
   const auto has = [&](ir::PlaceId place, uint16_t mask) {
-    return Pure(OpKind::kNotEqual16, {Pure(OpKind::kAnd16, {builder_.Load(place, index()), hex(mask)}), Word(0)});
+    return Pure(OpKind::kNotEqual16, {Pure(OpKind::kAnd16, {builder_.Load(place, index()), Mask(mask)}), Word(0)});
   };
   const auto lacks = [&](ir::PlaceId place, uint16_t mask) {
-    return Pure(OpKind::kEqual16, {Pure(OpKind::kAnd16, {builder_.Load(place, index()), hex(mask)}), Word(0)});
+    return Pure(OpKind::kEqual16, {Pure(OpKind::kAnd16, {builder_.Load(place, index()), Mask(mask)}), Word(0)});
   };
-  const auto set = [&](ir::PlaceId place, uint16_t mask) {
-    const ValueId at = index();
-    const ValueId changed = Pure(OpKind::kOr16, {builder_.Load(place, index()), hex(mask)});
-    builder_.Store(place, changed, at);
-  };
-  const auto clear = [&](ir::PlaceId place, uint16_t mask) {
-    const ValueId at = index();
-    const ValueId changed = Pure(OpKind::kAnd16, {builder_.Load(place, index()), hex(~uint32_t{mask})});
-    builder_.Store(place, changed, at);
+  const auto set = [&](ir::PlaceId word, uint16_t mask) { ChangeBits(word, OpKind::kOr16, mask, channel); };
+  const auto clear = [&](ir::PlaceId word, uint16_t mask) {
+    ChangeBits(word, OpKind::kAnd16, ~uint32_t{mask}, channel);
   };
   const auto both = [&](ValueId a, ValueId b) { return Pure(OpKind::kBitAnd, {a, b}); };
   for (uint32_t k = 0; k < 4; ++k) {
     const KindRow& row = kRows[k];
     const std::string letter(1, kHandlerKinds[k]);
-    const ir::PlaceId state = ChannelByte(states_[0][k], "state_" + letter);
+    const ir::PlaceId state = StateOf(k);
     const ir::PlaceId code = ChannelWord(Area::kF, row.code_word, row.code_name);
     const ir::PlaceId mod = ChannelWord(Area::kG, row.mod_word, row.mod_name);
     const bool once = settings_.handler_calls == HandlerCallsOption::kOnce;
@@ -130,12 +140,7 @@ void Dispatcher::Dispatch(ir::PlaceId channel) {
     const auto is = [&](uint8_t value) {
       return Pure(OpKind::kEqual8, {builder_.Load(state, index()), builder_.Constant(ir::Type::kI8, value)});
     };
-    const auto put = [&](ir::PlaceId place, uint8_t value) {
-      const ValueId at = index();
-      const ValueId number = builder_.Constant(ir::Type::kI8, value);
-      builder_.Store(place, number, at);
-    };
-    const auto become = [&](uint8_t value) { put(state, value); };
+    const auto become = [&](uint8_t value) { Put(state, value, channel); };
     const auto give_up = [&] {
       const ValueId at = index();
       const ValueId minus_one = Pure(OpKind::kMinus16, {Word(1)});
@@ -156,7 +161,7 @@ void Dispatcher::Dispatch(ir::PlaceId channel) {
       builder_.Store(mod, asked, at);
       set(flags, row.busy);
       become(kActive);
-      if (once) put(called, 0);
+      if (once) Put(called, 0, channel);
       if (k != 0 || settings_.m00_flags == M00FlagsOption::kOff) return;
       builder_.When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(0)}), [&] { set(flags, kM00); });
       builder_.When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(1)}), [&] { set(flags, kM01); });
@@ -180,7 +185,7 @@ void Dispatcher::Dispatch(ir::PlaceId channel) {
       const ValueId first =
           Pure(OpKind::kEqual8, {builder_.Load(called, index()), builder_.Constant(ir::Type::kI8, 0)});
       builder_.When(first, [&] {
-        put(called, 1);
+        Put(called, 1, channel);
         handlers_.Call(k, channel, give_up);
       });
     });
@@ -197,35 +202,25 @@ void Dispatcher::Complete(ir::PlaceId channel) {
   const auto index = [&] { return builder_.Load(channel); };
   const ir::PlaceId acks = ChannelWord(Area::kG, kAckWord, "mst_acks"),
                     flags = ChannelWord(Area::kG, kFlagsWord, "mst_flags");
-  const auto hex = [&](uint32_t value) { return builder_.Constant(ir::Type::kI16, value & 0xFFFF, 16); };
-  const auto change = [&](ir::PlaceId place, OpKind op, uint32_t mask) {
-    const ValueId at = index();
-    const ValueId changed = Pure(op, {builder_.Load(place, index()), hex(mask)});
-    builder_.Store(place, changed, at);
-  };
   const auto state_is = [&](uint32_t k, uint8_t value) {
-    const ir::PlaceId state = ChannelByte(states_[0][k], "state_" + std::string(1, kHandlerKinds[k]));
-    return Pure(OpKind::kEqual8, {builder_.Load(state, index()), builder_.Constant(ir::Type::kI8, value)});
+    return Pure(OpKind::kEqual8, {builder_.Load(StateOf(k), index()), builder_.Constant(ir::Type::kI8, value)});
   };
   for (uint32_t k = 0; k < 4; ++k) {
     const KindRow& row = kRows[k];
     const ir::PlaceId mod = ChannelWord(Area::kG, row.mod_word, row.mod_name);
     builder_.When(state_is(k, kActive), [&] {
       builder_.When(Pure(OpKind::kEqual16, {builder_.Load(mod, index()), Pure(OpKind::kMinus16, {Word(1)})}), [&] {
-        change(flags, OpKind::kAnd16, ~uint32_t{row.busy});
-        change(acks, OpKind::kOr16, row.ack);
-        const ValueId at = index();
-        const ValueId done = builder_.Constant(ir::Type::kI8, kDone);
-        const ir::PlaceId state = ChannelByte(states_[0][k], "state_" + std::string(1, kHandlerKinds[k]));
-        builder_.Store(state, done, at);
+        ChangeBits(flags, OpKind::kAnd16, ~uint32_t{row.busy}, channel);
+        ChangeBits(acks, OpKind::kOr16, row.ack, channel);
+        Put(StateOf(k), kDone, channel);
       });
     });
   }
   ValueId any = state_is(0, kActive);
   for (uint32_t k = 1; k < 4; ++k) any = Pure(OpKind::kBitOr, {any, state_is(k, kActive)});
   builder_.Choose(
-      any, [&] { change(acks, OpKind::kOr16, kAnyActive); },
-      [&] { change(acks, OpKind::kAnd16, ~uint32_t{kAnyActive}); });
+      any, [&] { ChangeBits(acks, OpKind::kOr16, kAnyActive, channel); },
+      [&] { ChangeBits(acks, OpKind::kAnd16, ~uint32_t{kAnyActive}, channel); });
 }
 
 void Dispatcher::AddScalars() {

@@ -26,6 +26,10 @@ class Dispatcher : Context {
  private:
   ir::PlaceId ChannelWord(Area area, uint32_t word, std::string_view name);
   ir::PlaceId ChannelByte(ir::PlaceId first, const std::string& name);
+  ir::PlaceId StateOf(uint32_t kind);
+  ir::ValueId Mask(uint32_t bits);
+  void ChangeBits(ir::PlaceId word, ir::OpKind op, uint32_t mask, ir::PlaceId channel);
+  void Put(ir::PlaceId byte, uint8_t value, ir::PlaceId channel);
   ir::RoutineId AddChannelRoutine(const std::string& name, std::string comment, ir::PlaceId& channel);
   void Dispatch(ir::PlaceId channel);
   void Complete(ir::PlaceId channel);
