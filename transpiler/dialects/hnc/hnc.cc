@@ -26,9 +26,11 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   const Unit unit = Parse(request);
   dialects::Lowered lowered;
   lowered.summary = {.lines = unit.line_count, .statements = unit.statement_count};
-  lowered.program = Lower(unit, settings, *request.sources, *request.diagnostics);
+  const Objects objects(unit);
+  const Facts facts(unit, objects);
+  lowered.program = Lower(unit, objects, facts, settings, *request.sources, *request.diagnostics);
   if (!request.diagnostics->HasErrors()) {
-    lowered.summary.tables = SummaryTables(unit, lowered.program, *request.sources);
+    lowered.summary.tables = SummaryTables(unit, objects, facts, lowered.program, *request.sources);
   }
   request.diagnostics->LimitErrors(kMostErrors);
   return lowered;

@@ -37,8 +37,9 @@ struct Uses {
 
 class Summary {
  public:
-  Summary(const Unit& unit, const ir::Program& program, const source::SourceManager& sources)
-      : unit_(unit), program_(program), sources_(sources) {
+  Summary(const Unit& unit, const Objects& objects, const Facts& facts, const ir::Program& program,
+          const source::SourceManager& sources)
+      : unit_(unit), objects_(objects), facts_(facts), program_(program), sources_(sources) {
     std::set<std::string_view> macros;  // other names of cells are made from their addresses
     for (const Macro& macro : unit.macros) macros.insert(macro.name);
     for (const ir::Documentation& known : program.documentation) {
@@ -164,7 +165,8 @@ class Summary {
       if ((bits >> (8 * (kAlarmOffset - changed.offset) + bit) & 1) == 0) continue;
       const Comment* comment = CommentBehind(unit_, sources_, store.range.end);
       std::string text = comment == nullptr ? "" : comment->text;
-      std::ranges::replace_if(text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+      std::ranges::replace_if(
+          text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
       alarms_.rows.push_back({std::to_string(bit + 1), std::to_string(bit), PlaceOf(store.range), text});
     }
   }
@@ -344,10 +346,10 @@ class Summary {
   }
 
   const Unit& unit_;
+  const Objects& objects_;
+  const Facts& facts_;
   const ir::Program& program_;
   const source::SourceManager& sources_;
-  Objects objects_{unit_};
-  Facts facts_{unit_, objects_};
   std::map<std::string_view, std::string_view> symbols_;            // by address
   std::map<std::tuple<uint32_t, int64_t, uint32_t>, Uses> cells_;   // by area object, byte, bytes
   std::map<std::tuple<uint32_t, int64_t, int64_t>, Uses> outputs_;  // by area object, group, bit
@@ -360,9 +362,9 @@ class Summary {
 
 }  // namespace
 
-std::vector<SummaryTable> SummaryTables(const Unit& unit, const ir::Program& program,
-                                        const source::SourceManager& sources) {
-  return Summary(unit, program, sources).Tables();
+std::vector<SummaryTable> SummaryTables(const Unit& unit, const Objects& objects, const Facts& facts,
+                                        const ir::Program& program, const source::SourceManager& sources) {
+  return Summary(unit, objects, facts, program, sources).Tables();
 }
 
 }  // namespace plcxx::hnc

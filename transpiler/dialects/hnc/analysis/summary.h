@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "transpiler/dialects/dialect.h"
+#include "transpiler/dialects/hnc/analysis/facts.h"
+#include "transpiler/dialects/hnc/analysis/objects.h"
 #include "transpiler/dialects/hnc/syntax/syntax.h"
 
 namespace plcxx::hnc {
 
 /// Tables in a fixed order, also where they are empty.
-std::vector<dialects::SummaryTable> SummaryTables(const Unit& unit, const ir::Program& program,
-                                                  const source::SourceManager& sources);
+std::vector<dialects::SummaryTable> SummaryTables(const Unit& unit, const Objects& objects, const Facts& facts,
+                                                  const ir::Program& program, const source::SourceManager& sources);
 
 }  // namespace plcxx::hnc

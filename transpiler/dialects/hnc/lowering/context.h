@@ -67,17 +67,18 @@ enum class Tail : uint8_t { kNone, kCase, kFunction };
 
 /// One tree on its way to a program.
 struct Translation {
-  Translation(const Unit& tree, const Settings& options, const source::SourceManager& files, diag::Engine& engine)
-      : unit(tree), settings(options), sources(files), diagnostics(engine) {}
+  Translation(const Unit& tree, const Objects& all, const Facts& known, const Settings& options,
+              const source::SourceManager& files, diag::Engine& engine)
+      : unit(tree), objects(all), facts(known), settings(options), sources(files), diagnostics(engine) {}
 
   const Unit& unit;
+  const Objects& objects;
+  const Facts& facts;
   const Settings& settings;
   const source::SourceManager& sources;
   diag::Engine& diagnostics;
   ir::Program program;
   dialects::Builder builder{program};
-  Objects objects{unit};
-  Facts facts{unit, objects};
   Types types{unit};
   Flow flow;
   CurrentStatement statement;

@@ -50,9 +50,9 @@ namespace {
 /// and those that lower statements use each other, as the language nests them.
 class Lowering {
  public:
-  Lowering(Scope scope, const Unit& unit, const Settings& settings, const source::SourceManager& sources,
-           diag::Engine& diagnostics)
-      : scope_(scope), translation_(unit, settings, sources, diagnostics) {}
+  Lowering(Scope scope, const Unit& unit, const Objects& objects, const Facts& facts, const Settings& settings,
+           const source::SourceManager& sources, diag::Engine& diagnostics)
+      : scope_(scope), translation_(unit, objects, facts, settings, sources, diagnostics) {}
 
   ir::Program Run();
   /// Of the program that Run has given.
@@ -132,20 +132,20 @@ ir::Program Lowering::Run() {
 
 }  // namespace
 
-ir::Program Lower(const Unit& unit, const Settings& settings, const source::SourceManager& sources,
-                  diag::Engine& diagnostics) {
-  const Objects objects(unit);
-  const Facts facts(unit, objects);
+ir::Program Lower(const Unit& unit, const Objects& objects, const Facts& facts, const Settings& settings,
+                  const source::SourceManager& sources, diag::Engine& diagnostics) {
   Check(unit, objects, facts, sources, diagnostics);
   const bool unreached = std::ranges::any_of(unit.definitions, [&](FunctionId id) { return facts.PartsOf(id) == 0; });
   // What is reported of a function twice is kept once.
-  if (unreached) Lowering(Scope::kAll, unit, settings, sources, diagnostics).Run();
-  return Lowering(Scope::kReached, unit, settings, sources, diagnostics).Run();
+  if (unreached) Lowering(Scope::kAll, unit, objects, facts, settings, sources, diagnostics).Run();
+  return Lowering(Scope::kReached, unit, objects, facts, settings, sources, diagnostics).Run();
 }
 
 ir::Reference DescribeLowered(const Unit& unit, const Settings& settings, const source::SourceManager& sources,
                               diag::Engine& diagnostics) {
-  Lowering lowering(Scope::kReached, unit, settings, sources, diagnostics);
+  const Objects objects(unit);
+  const Facts facts(unit, objects);
+  Lowering lowering(Scope::kReached, unit, objects, facts, settings, sources, diagnostics);
   const ir::Program program = lowering.Run();
   if (program.routines.empty()) return {.reason = "the program has errors"};
   return lowering.Describe(program);

@@ -5,6 +5,8 @@
 #pragma once
 
 #include "transpiler/diagnostics/diagnostics.h"
+#include "transpiler/dialects/hnc/analysis/facts.h"
+#include "transpiler/dialects/hnc/analysis/objects.h"
 #include "transpiler/dialects/hnc/machine/options.h"
 #include "transpiler/dialects/hnc/syntax/syntax.h"
 #include "transpiler/ir/program.h"
@@ -12,8 +14,9 @@
 
 namespace plcxx::hnc {
 
-ir::Program Lower(const Unit& unit, const Settings& settings, const source::SourceManager& sources,
-                  diag::Engine& diagnostics);
+/// `objects` and `facts` are those of the unit.
+ir::Program Lower(const Unit& unit, const Objects& objects, const Facts& facts, const Settings& settings,
+                  const source::SourceManager& sources, diag::Engine& diagnostics);
 /// Which functions and variables are which routines and bytes of the program that Lower gives; without bitcode.
 ir::Reference DescribeLowered(const Unit& unit, const Settings& settings, const source::SourceManager& sources,
                               diag::Engine& diagnostics);

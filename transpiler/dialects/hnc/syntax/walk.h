@@ -8,10 +8,10 @@
 
 namespace plcxx::hnc {
 
-/// Calls visit(ExprId) for the expression and everything in it, each one before its parts.
+/// Calls visit(ExprId) for the expression and everything in it, each one before its parts. `open` is empty before and
+/// afterwards: who visits many gives the same one.
 template <class Visit>
-void ForEachExpr(const Unit& unit, ExprId root, Visit&& visit) {
-  std::vector<ExprId> open;
+void ForEachExpr(const Unit& unit, ExprId root, std::vector<ExprId>& open, Visit&& visit) {
   const auto push = [&open](ExprId id) {
     if (id.valid()) open.push_back(id);
   };
@@ -26,6 +26,12 @@ void ForEachExpr(const Unit& unit, ExprId root, Visit&& visit) {
     push(expr.b);
     push(expr.a);
   }
+}
+
+template <class Visit>
+void ForEachExpr(const Unit& unit, ExprId root, Visit&& visit) {
+  std::vector<ExprId> open;
+  ForEachExpr(unit, root, open, visit);
 }
 
 /// The expressions that a statement holds itself, initialisers included, in the order of their evaluation.
@@ -64,8 +70,9 @@ void ForEachStatement(const Unit& unit, StatementId root, Visit&& visit) {
 /// All expressions under a statement.
 template <class Visit>
 void ForEachExprIn(const Unit& unit, StatementId root, Visit&& visit) {
+  std::vector<ExprId> open;
   ForEachStatement(unit, root, [&](StatementId id) {
-    ForEachOwnExpr(unit, unit.statements[id], [&](ExprId expr) { ForEachExpr(unit, expr, visit); });
+    ForEachOwnExpr(unit, unit.statements[id], [&](ExprId expr) { ForEachExpr(unit, expr, open, visit); });
   });
 }
 

@@ -24,11 +24,17 @@ void Converter::LocateMacro(const clang::Expr* expr, Expr& result) const {
                        clang::Lexer::isAtEndOfMacroExpansion(end, sources, language, &last);
 }
 
-Expr Converter::Start(ExprKind kind, const clang::Expr* expr) {
+/// Without a place.
+Expr Converter::Unplaced(ExprKind kind, const clang::Expr* expr) {
   Expr result;
   result.kind = kind;
   result.type = TypeOf(expr->getType());
   result.is_lvalue = expr->isLValue();
+  return result;
+}
+
+Expr Converter::Start(ExprKind kind, const clang::Expr* expr) {
+  Expr result = Unplaced(kind, expr);
   result.range = RangeOf(expr);
   LocateMacro(expr, result);
   return result;
@@ -131,7 +137,7 @@ ExprId Converter::Cast(const clang::CastExpr* expr) {
   const auto wrap = [&](ExprKind kind) {
     const ExprId inner = kind == ExprKind::kConvert ? Operand(operand) : Convert(operand);
     if (unit_.expressions[inner].kind == ExprKind::kPoison) return inner;
-    Expr result = Start(kind, expr);
+    Expr result = implicit ? Unplaced(kind, expr) : Start(kind, expr);
     result.is_implicit = implicit;
     result.a = inner;
     if (implicit) {  // the same text

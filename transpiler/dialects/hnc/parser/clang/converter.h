@@ -80,6 +80,7 @@ class Converter {
   ExprId InType(ExprId operand, TypeId type);
   void CommonTypeOfAssignment(const clang::CompoundAssignOperator* expr, Expr& result);
   TypeId CommonType(ExprId& a, const clang::Expr* of_a, ExprId& b, const clang::Expr* of_b);
+  Expr Unplaced(ExprKind kind, const clang::Expr* expr);
   Expr Start(ExprKind kind, const clang::Expr* expr);
   ExprId Add(Expr expr);
   ExprId Poison(const clang::Expr* expr);

@@ -33,12 +33,21 @@ const clang::Stmt* LastPart(const clang::Stmt* whole) {
   return unary != nullptr && unary->isPrefix() ? unary->getSubExpr() : nullptr;
 }
 
+/// So far down nothing is kept: nearly all expressions are no deeper, and going there costs less than a table of all.
+constexpr size_t kShallow = 8;
+
 /// `part_of` goes one down, `place_of` asks the last one.
 template <class Map, class Node, class PartOf, class PlaceOf>
 clang::SourceLocation Find(Map& known, const Node* node, PartOf part_of, PlaceOf place_of) {
+  const Node* at = node;
+  for (size_t i = 0; i < kShallow; ++i) {
+    const Node* part = part_of(at);
+    if (part == nullptr) return place_of(at);
+    at = part;
+  }
   llvm::SmallVector<const Node*> passed;
   clang::SourceLocation place;
-  for (const Node* at = node;;) {
+  for (;;) {
     const auto found = known.find(at);
     if (found != known.end()) {
       place = found->second;

@@ -1,7 +1,7 @@
 // Where expressions and statements begin and end.
 //
 // Clang answers by going down to the first or last part each time: for each sum of a long chain of sums, and each label
-// of a long row of labels, as far as the chain. Here each is asked once.
+// of a long row of labels, as far as the chain. Here each that is far up a chain is asked once.
 #pragma once
 
 #include <clang/AST/Expr.h>
