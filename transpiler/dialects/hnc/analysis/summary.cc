@@ -165,8 +165,7 @@ class Summary {
       if ((bits >> (8 * (kAlarmOffset - changed.offset) + bit) & 1) == 0) continue;
       const Comment* comment = CommentBehind(unit_, sources_, store.range.end);
       std::string text = comment == nullptr ? "" : comment->text;
-      std::ranges::replace_if(
-          text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+      std::ranges::replace_if(text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
       alarms_.rows.push_back({std::to_string(bit + 1), std::to_string(bit), PlaceOf(store.range), text});
     }
   }
