@@ -184,6 +184,11 @@ TEST(HncRounds, WhatIsNoProofIsRefused) {
            "for (R_ui[2] = 0; R_ui[2] < 10; R[4]++) a++;",
            "for (R_ui[2] = 0; R_ui[2] < 10; R_ui[2]++) R[5] = 0;",
            "for (table[2] = 0; table[2] < 10; table[2]++) table[b & 7] = 0;",
+           "union { long l; float f; } v; v.l = 0; while (v.l != 5) v.f++;",
+           "union { long l; float f; } v; v.l = 0; while (v.l != 5) v.f += 1;",
+           "union { int i; struct { int f : 5; } s; } v; v.i = 0; while (v.i < 100) v.s.f++;",
+           "union { int i; struct { unsigned f : 5; } s; } v; for (v.i = 0; v.i < 100; v.s.f = v.s.f + 1) a++;",
+           "n = 5; while ((float)n) n--;",
            // 6.6, 3: the limit.
            "for (i = 0; i < n; i++) n++;",
            "for (i = 0; i < n++; i++) a++;",
@@ -219,6 +224,7 @@ TEST(HncRounds, WhatIsNoProofIsRefused) {
         << loop << testing::PrintToString(reported);
   }
   for (const char* loop : {
+           "union { int i; unsigned u; } v; for (v.i = 0; v.i < 10; v.u++) a++;",
            "for (i = 0; i < table[3]; i++) table[2] = 5;",
            "for (i = 0; i < table[b & 7]; i++) a = 5;",
            "for (R_ui[2] = 0; R_ui[2] < 10; R_ui[2]++) R[6] = 0;",

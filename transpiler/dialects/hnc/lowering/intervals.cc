@@ -205,6 +205,7 @@ std::optional<Bounds> Intervals::DeclaredBounds(const StaticAddress& at, const T
   }
   for (const InitialValue& initial : variable.initial) {
     if (initial.offset != at.offset || initial.is_bit_field || TypeAt(initial.type).size != type.size) continue;
+    if (!IsInteger(TypeAt(initial.type))) return std::nullopt;  // a union of a real number and an integer
     const std::optional<Constant>& value = ExprAt(initial.value).constant;
     if (!value) return std::nullopt;
     return Bounds{value->integer, value->integer};

@@ -29,7 +29,7 @@ bool FindCounter(const Unit& unit, ExprId side, Relation& relation) {
   while (id.valid() && unit.expressions[id].kind == ExprKind::kConvert) {
     const Type& from = unit.TypeOf(unit.expressions[id].a);
     const Type& to = unit.TypeOf(id);
-    if (!IsInteger(from) || !IsInteger(to) || to.bits < from.bits) return false;
+    if (!IsInteger(to) || to.bits < from.bits) return false;
     relation.conversions.insert(relation.conversions.begin(), BoundsOf(to));
     id = unit.expressions[id].a;
   }
@@ -178,6 +178,15 @@ std::optional<LoopProof> LoopBounds::Prove(const LoopShape& loop, Refusal& refus
   return best;
 }
 
+/// Whether a step of the lvalue is one of the integer in its bytes: not of a bit field, and not of a real number that a
+/// union has there.
+bool LoopBounds::IsWholeInteger(ExprId lvalue) const {
+  const Expr& expr = ExprAt(lvalue);
+  const bool field = expr.kind == ExprKind::kMember &&
+                     unit_.records[TypeAt(ExprAt(expr.a).type).record].members[expr.member].is_bit_field;
+  return !field && IsInteger(TypeAt(expr.type));
+}
+
 /// The only store into the cell; more than one, or one that is not plain: none.
 std::optional<ExprId> LoopBounds::OnlyStore(const Cell& cell, const std::vector<ExprId>& parts,
                                             Refusal& refusal) const {
@@ -194,7 +203,7 @@ std::optional<ExprId> LoopBounds::OnlyStore(const Cell& cell, const std::vector<
                                           : "a store through a pointer or an index may change its counter");
       return std::nullopt;
     }
-    if (Cell{at->object, at->offset, TypeAt(ExprAt(expr.a).type).size} != cell) {
+    if (!IsWholeInteger(expr.a) || Cell{at->object, at->offset, TypeAt(ExprAt(expr.a).type).size} != cell) {
       refusal.Add(ProofStep::kChange, "its counter is changed in part");
       return std::nullopt;
     }
@@ -256,10 +265,7 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const LoopShape& l
   for (const Relation& relation : candidates) {
     const std::optional<StaticAddress> counter = facts_.AddressOf(relation.counter);
     const Type& type = TypeAt(ExprAt(relation.counter).type);
-    const Expr& lvalue = ExprAt(relation.counter);
-    const bool field = lvalue.kind == ExprKind::kMember &&
-                       unit_.records[TypeAt(ExprAt(lvalue.a).type).record].members[lvalue.member].is_bit_field;
-    if (!counter || field || !IsInteger(type)) continue;
+    if (!counter || !IsWholeInteger(relation.counter)) continue;
     const Cell cell{counter->object, counter->offset, type.size};
     const std::optional<ExprId> store = OnlyStore(cell, parts, refusal);
     if (!store || declared.Has(counter->object)) continue;
