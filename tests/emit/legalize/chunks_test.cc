@@ -12,6 +12,7 @@
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/reader.h"
 
 namespace plcxx::emit::legalize {
 namespace {
@@ -174,6 +175,31 @@ TEST(Chunks, AFewStatementsBetweenTwoExitsAreNoFunction) {
     total += chunk.statements;
   }
   EXPECT_EQ(total, 125u);
+}
+
+// A way back to the head of a loop stays in the loop's function, alone or in an arm.
+TEST(Chunks, AWayBackStaysWithItsLoop) {
+  for (const std::string back : {"repeat @1 if %0\n", "if %0 {\nrepeat @1\n}\n"}) {
+    std::string text =
+        "space m 4 volatile little\nspace r 4 routine little\nplace a bit m[0].0\nplace b bit m[0].1\nplace rounds i32 "
+        "r[0]\n"
+        "routine slow slow {\nloop @1 budget 9 rounds {\nbody {\n";
+    for (uint32_t i = 0; i < 130; ++i) {
+      text += "stmt s" + std::to_string(i * 7919 + 1) + "\n%0 = load a\nstore b %0\n";
+      if (i == 70) text += back;
+    }
+    const ir::Program program = ir::ReadOrDie(text + "}\n}\n}\n");
+    const Emittable emittable = Legalize(program, {.name = "p"});
+    uint32_t total = 0;
+    for (const Chunk& chunk : emittable.chunks) {
+      total += chunk.statements;
+      for (uint32_t i = chunk.begin; i < chunk.end; ++i) {
+        const ir::OpKind op = program[program.regions[chunk.region].insts[i]].op;
+        EXPECT_TRUE(op != ir::OpKind::kRepeat && op != ir::OpKind::kIf) << back;
+      }
+    }
+    EXPECT_EQ(total, 129u) << back;
+  }
 }
 
 TEST(Chunks, AnInsertedStatementChangesAtMostTwentyLines) {

@@ -137,5 +137,127 @@ TEST(Functions, OfASimulationDeclareNothing) {
   EXPECT_THAT(PrintAll(text, Flavour::kDebug), HasSubstr("static void f(State& m, Host& host) noexcept;"));
 }
 
+constexpr std::string_view kResult = "place result i8 locals[1]\nplace own i8 locals[2]\n";
+
+/// The generated function `f` with these instructions, which gives `result`; what is between its braces.
+std::string ResultFunction(const std::string& body, Flavour flavour = Flavour::kRelease) {
+  const std::string text =
+      PrintAll(std::string(kResult) + "routine f subroutine (count : i8 = count) -> i8 result {\n body {\n" + body +
+                   "}\n}\nroutine fast fast {\n body {\n %0 = const i8 3\n %1 = call f (%0)\n store W %1\n }\n}\n",
+               flavour);
+  const std::string head = "static uint8_t f(";
+  const size_t at = text.rfind(head), begin = text.find('\n', at) + 1;
+  return text.substr(begin, text.find("\n}\n", begin) + 1 - begin);
+}
+
+// A chunk returns nothing, also where it ends by a return in the middle.
+TEST(Functions, WhatIsCutOutReturnsNothing) {
+  const std::string text =
+      PrintAll(std::string(kResult) + "routine f subroutine (count : i8 = count) -> i8 result {\n body {\n" +
+               Statements(300,
+                          "block @1 {\n%0 = load a\nif %0 {\n%1 = load count\nstore result %1\nexit @1\n}\n"
+                          "%2 = load count\nstore W %2\n}\n") +
+               "}\n}\nroutine fast fast {\n body {\n %0 = const i8 3\n %1 = call f (%0)\n store W %1\n }\n}\n");
+  EXPECT_THAT(text, HasSubstr("static void f_part("));
+  EXPECT_THAT(text, HasSubstr("    result = count;\n    return;\n"));
+  EXPECT_THAT(text, Not(HasSubstr("return count")));
+}
+
+// An arm that is left early by another word than return has something behind it that the result does not wait for.
+TEST(Functions, ReturnNoResultWhereTheyGoOn) {
+  const std::string arm =
+      "%0 = load a\nif %0 jumps {\n%1 = load count\nstore result %1\n} else {\n%2 = load b\nstore kept %2\n"
+      "%3 = load kept\nstore b %3\n}\n";
+  const std::string behind = "%9 = load count\nstore W %9\n";
+  const std::string chosen = ResultFunction("%8 = load W\nswitch %8 {\ncase 1 {\n" + arm + "}\n}\n" + behind);
+  EXPECT_THAT(chosen, HasSubstr("result = count;\n        break;\n"));
+  EXPECT_THAT(chosen, Not(HasSubstr("return count")));
+  EXPECT_THAT(chosen, HasSubstr("return result;\n"));
+  EXPECT_THAT(ResultFunction(arm), HasSubstr("    return count;\n"));
+}
+
+// The variable of the result is there as long as some text names it.
+TEST(Functions, HaveAVariableOfTheResultWhereItIsNamed) {
+  EXPECT_EQ(ResultFunction("stmt s1\n%0 = load count\nstore result %0\n"), "  return count;\n");
+}
+
+// An arm without instructions gives what was there before.
+TEST(Functions, GiveTheFirstValueWhereAnArmIsEmpty) {
+  const std::string text = ResultFunction("%0 = load a\nif %0 {\n} else {\n%1 = load count\nstore result %1\n}\n");
+  EXPECT_THAT(text, HasSubstr("return count;\n"));
+  EXPECT_THAT(text, HasSubstr("return result;\n"));
+}
+
+// A second value in front of all statements is an assignment: the declaration has one value.
+TEST(Functions, DeclareAVariableWithTheFirstOfItsValues) {
+  const std::string text =
+      ResultFunction("%0 = const i8 1\nstore own %0\n%1 = const i8 2\nstore own %1\n%2 = load own\nstore W %2\n");
+  EXPECT_THAT(text, HasSubstr("uint8_t own = 1;\n"));
+  EXPECT_THAT(text, HasSubstr("own = 2;\n"));
+}
+
+// What a host function gives beside its result may be what the subroutine gives.
+TEST(Functions, GiveWhatAHostFunctionHasPutThere) {
+  const std::string text = PrintAll(
+      "place result i8 locals[1]\nhost read (index : i32) -> i16 out value : i8\n"
+      "routine f subroutine -> i8 result {\n body {\n %0 = const i32 1\n %1 = host read (%0) out result\n }\n}\n"
+      "routine fast fast {\n body {\n %1 = call f ()\n store W %1\n }\n}\n");
+  EXPECT_THAT(text, HasSubstr("  uint8_t result = 0;\n"));
+  EXPECT_THAT(text, HasSubstr("return result;\n"));
+}
+
+// Blank lines part what belongs together, one at a time.
+TEST(Functions, AreInAHeaderOfParagraphs) {
+  const ir::Program program = ir::ReadOrDie(
+      std::string(kHeadDeclarations) +
+      "routine fast fast {\n body {\n %0 = const i32 1\n host stop (%0)\n %1 = load a\n store b %1\n }\n}\n"
+      "message 3 colour 1 \"x\"\ntable t (n : i16, name : none)\nrow 1 \"one\"\nrow 2 \"two\"\n");
+  const source::SourceManager sources;
+  std::string header;
+  for (const OutputFile& file : PrintCpp(legalize::Legalize(program, {.name = "p"}), sources))
+    if (file.name.ends_with(".hpp")) header = file.text;
+  EXPECT_THAT(header, HasSubstr("struct Host;\nstruct State;\n"));
+  EXPECT_THAT(header, HasSubstr("/// stops\nvoid stop(Host& host, uint32_t index) noexcept;\n\n"));
+  EXPECT_THAT(header, HasSubstr("void fast(State& m, Host& host) noexcept;\n\n"));
+  EXPECT_THAT(header, HasSubstr("    {3, 1, \"x\"},\n};\n\nstruct t_row {\n  uint16_t n;\n  const char* name;\n};\n"
+                                "inline constexpr t_row t[] = {\n    {1, \"one\"},\n    {2, \"two\"},\n};\n\n}"));
+  EXPECT_THAT(header, Not(HasSubstr("\n\n\n")));
+}
+
+/// What sets the bytes from `first` on at power-on.
+std::string InitialText(uint32_t first, const std::vector<uint32_t>& distances) {
+  std::string text =
+      "space K 200 volatile little host_visible\nplace row i8 K[0] stride 1 low 0 high 200 indexed\nplace at i32 "
+      "locals[4]\n";
+  uint32_t at = first;
+  text += "initial K " + std::to_string(at) + " 1\n";
+  for (const uint32_t distance : distances) text += "initial K " + std::to_string(at += distance) + " 1\n";
+  return PrintAll(text +
+                  "routine init init {\n body {\n %0 = const bit 1\n store a %0\n }\n}\nschedule init init\nroutine "
+                  "fast fast {\n body {\n %0 = const i32 0\n store at %0\n %1 = load at\n %2 = load row[%1]\n "
+                  "store W %2\n }\n}\n");
+}
+
+size_t Count(const std::string& text, std::string_view word) {
+  size_t count = 0;
+  for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+// Eight values near each other are a table; a gap of more than four zeros ends it.
+TEST(Functions, SetManyFirstValuesByATable) {
+  EXPECT_EQ(Count(InitialText(3, std::vector<uint32_t>(6, 1)), "kValues[]"), 0u);
+  EXPECT_EQ(Count(InitialText(3, std::vector<uint32_t>(7, 1)), "kValues[]"), 1u);
+  EXPECT_EQ(Count(InitialText(3, std::vector<uint32_t>(7, 5)), "kValues[]"), 1u);
+  EXPECT_EQ(Count(InitialText(3, std::vector<uint32_t>(7, 6)), "kValues[]"), 0u);
+  const std::string two = InitialText(3, {1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 40});
+  EXPECT_EQ(Count(two, "kValues[]"), 2u);
+  EXPECT_EQ(Count(two, " = 0x01;\n"), 1u);
+  // A row ends where the address is a multiple of 16.
+  EXPECT_THAT(
+      InitialText(12, {1, 1, 1, 1, 1, 1, 4}),
+      HasSubstr("= {\n      0x01, 0x01, 0x01, 0x01,\n      0x01, 0x01, 0x01, 0x00, 0x00, 0x00, 0x01,\n    };\n"));
+}
+
 }  // namespace
 }  // namespace plcxx::emit::print

@@ -118,6 +118,28 @@ static void comments_in_blocks() {
   } else {
     /* alone in a block */
   }
+  switch (a) {
+    case 1:
+      n++;
+      break;
+      /* at the end of the last group, behind its break */
+  }
+  switch (a) {
+    case 2:
+      n++;
+    default:
+      n--;
+      /* at the end of the last group */
+  }
+  switch (a)
+    case 3:
+      n++;
+      /* behind a switch without braces */
+  switch (a)
+    case 4: {
+      n--;
+      /* at the end of a block of a switch */
+    }
   /* in front of a loop */ for (n = 0; n < 3; n++) { break; /* behind a jump */ }
 }
 void init() { plc1_time = 1; plc2_time = 1; a = any(); b = any(); c = any(); f = a; l = u = a; }

@@ -150,22 +150,22 @@ void Builder::PlaceVolatile(SpaceId id) {
     if (next < found.size() && found[next].begin == b) {
       const Span& span = found[next++];
       if (span.type == Type::kNone) {
-        layout.stretches.push_back({id, span.begin, span.end, 0});
+        layout.stretches.push_back({.space = id, .begin = span.begin, .end = span.end});
       } else {
         const Storage storage = WordOf(span.type);
         const uint32_t index = words[WordIndex(storage)]++;
-        for (uint32_t k = span.begin; k < span.end; ++k) stored[k].whole = {storage, index, 0, 0};
+        for (uint32_t k = span.begin; k < span.end; ++k) stored[k].whole = {.storage = storage, .index = index};
       }
       b = span.end - 1;
       continue;
     }
     const Use& use = uses[id.index][b];
     if (use.whole) {
-      stored[b].whole = {Storage::kByte, bytes++, 0, 0};
+      stored[b].whole = {.storage = Storage::kByte, .index = bytes++};
       continue;
     }
     for (uint8_t bit = 0; bit < 8; ++bit) {
-      if ((use.bits >> bit & 1) != 0) stored[b].bits[bit] = {Storage::kBit, bits++, 0, 0};
+      if ((use.bits >> bit & 1) != 0) stored[b].bits[bit] = {.storage = Storage::kBit, .index = bits++};
     }
   }
 }
@@ -181,7 +181,7 @@ void Builder::PlaceSpaces() {
       continue;
     }
     for (uint32_t b = 0; b < space.bytes; ++b) {
-      layout.bytes[s][b].whole = {Storage::kRetentiveByte, layout.retentive_bytes + b, 0, 0};
+      layout.bytes[s][b].whole = {.storage = Storage::kRetentiveByte, .index = layout.retentive_bytes + b};
     }
     layout.retentive_bytes += space.bytes;
   }
@@ -192,7 +192,7 @@ void Builder::PlaceStretches() {
   for (Stretch& stretch : layout.stretches) {
     stretch.index = bytes;
     for (uint32_t b = stretch.begin; b < stretch.end; ++b) {
-      layout.bytes[stretch.space.index][b].whole = {Storage::kByte, bytes++, 0, 0};
+      layout.bytes[stretch.space.index][b].whole = {.storage = Storage::kByte, .index = bytes++};
     }
   }
 }
@@ -200,7 +200,7 @@ void Builder::PlaceStretches() {
 void Builder::PlaceStates() {
   std::vector<uint32_t> counts(ir::StateKindCount(), 0);
   for (const ir::StateInstance& state : program.states) {
-    layout.states.push_back({counts[static_cast<size_t>(state.kind)]++, 0});
+    layout.states.push_back({.index = counts[static_cast<size_t>(state.kind)]++});
   }
 }
 
@@ -318,10 +318,11 @@ void Builder::ResolvePlaces(const std::vector<bool>& used) {
     PlaceStorage& stored = layout.places[i];
     if (place.is_field()) {
       const ir::StateKind kind = program.states[place.state].kind;
-      stored = {Storage::kField, layout.states[place.state.index].index, 0,
-                layout.states[place.state.index].offset + FieldOffset(kind, place.field)};
+      const StateStorage& state = layout.states[place.state.index];
+      stored = {
+          .storage = Storage::kField, .index = state.index, .offset = state.offset + FieldOffset(kind, place.field)};
     } else if (program.spaces[place.space].lifetime == ir::Lifetime::kRoutine) {
-      stored = {Storage::kLocal, 0, 0, 0};
+      stored.storage = Storage::kLocal;
     } else if (used[i]) {
       stored = InMemory(place);
     }

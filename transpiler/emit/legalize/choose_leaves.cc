@@ -61,10 +61,10 @@ struct Chooser {
   void Function(std::initializer_list<RegionId> regions);
   void Region(RegionId region, const End& end);
   void Range(RegionId region, uint32_t begin, uint32_t stop, const End& end);
-  void Inst(InstId id, const Around& place, const End& next, bool last);
+  void Inst(InstId id, const Around& place, const End& next);
   void Loop(InstId id, const End& next);
   void Switch(InstId id, const End& next);
-  void Exit(InstId id, const End& next, bool last);
+  void Exit(InstId id, const End& next);
   void Repeat(InstId id, const End& next);
   void LeaveEarly(InstId id, const End& next);
   void ChooseWay(InstId id, const std::vector<Way>& ways, const Around& target);
@@ -137,10 +137,10 @@ void Chooser::ChooseWay(InstId id, const std::vector<Way>& ways, const Around& t
   }
 }
 
-void Chooser::Exit(InstId id, const End& next, bool last) {
+void Chooser::Exit(InstId id, const End& next) {
   const Around& target = TargetOf(program[id]);
   const End& end = behind[static_cast<size_t>(&target - around.data())];
-  if (last && next.point == end.point) {
+  if (next.point == end.point) {
     emittable.leaves[id.index] = Leave::kFallsThrough;
     return;
   }
@@ -185,7 +185,7 @@ void Chooser::Switch(InstId id, const End& next) {
   breakables.pop_back();
 }
 
-void Chooser::Inst(InstId id, const Around& place, const End& next, bool last) {
+void Chooser::Inst(InstId id, const Around& place, const End& next) {
   const ir::Inst& inst = program[id];
   if (inst.op == ir::OpKind::kBlock || inst.op == ir::OpKind::kLoop) {
     around.push_back(place);
@@ -200,7 +200,7 @@ void Chooser::Inst(InstId id, const Around& place, const End& next, bool last) {
   } else if (inst.op == ir::OpKind::kSwitch) {
     Switch(id, next);
   } else if (inst.op == ir::OpKind::kExit) {
-    Exit(id, next, last);
+    Exit(id, next);
   } else if (inst.op == ir::OpKind::kRepeat) {
     Repeat(id, next);
   } else if (inst.op == ir::OpKind::kIf) {
@@ -222,10 +222,9 @@ void Chooser::Range(RegionId region, uint32_t begin, uint32_t stop, const End& e
     // What was cut out of the list is a function of its own.
     while (chunk < chunks.size() && emittable.chunks[chunks[chunk]].end <= i) ++chunk;
     if (region != cut_from && chunk < chunks.size() && emittable.chunks[chunks[chunk]].begin <= i) continue;
-    if (!IsEffect(emittable, insts[i])) continue;
-    const bool is_last = i + 1 == last;
-    const End next = is_last ? end : End{static_cast<Point>(insts[i].index), {}};
-    Inst(insts[i], {insts[i], region, i, stop}, next, is_last);
+    // In front of another effect the point is its own: nothing else leads there.
+    const End next = i + 1 == last ? end : End{static_cast<Point>(insts[i].index), {}};
+    Inst(insts[i], {insts[i], region, i, stop}, next);
   }
 }
 

@@ -128,7 +128,6 @@ void Cutter::Visit(ir::RegionId region) {
 /// By item: whether a function ends with it.
 std::vector<bool> Cutter::BordersOf(ir::RegionId region, const std::vector<ir::Item>& items,
                                     const std::vector<bool>& stays, Stretches which) {
-  const bool whole = which == Stretches::kAll || std::ranges::none_of(stays, [](bool stay) { return stay; });
   std::vector<bool> borders(items.size());
   for (size_t first = 0; first < items.size();) {
     std::vector<BorderCandidate> stretch;
@@ -139,8 +138,8 @@ std::vector<bool> Cutter::BordersOf(ir::RegionId region, const std::vector<ir::I
       stretch.push_back({StatementsOf(region, items[i]), SpreadHash(hash, kBorderSeed), true});
       weight += stretch.back().weight;
     }
-    // Between two that stay, a few statements are no function of their own.
-    if (weight > 0 && (whole || weight >= kLeastStatements)) {
+    // Between two that stay, a few statements are no function of their own; a whole list is longer.
+    if (weight > 0 && (which == Stretches::kAll || weight >= kLeastStatements)) {
       for (const size_t i : ContentBorders(stretch, {.least = kLeastStatements, .most = kMostStatements}))
         borders[first + i] = true;
       borders[first + stretch.size() - 1] = true;
@@ -173,18 +172,15 @@ void Cutter::Cut(ir::RegionId region, Stretches which) {
 void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, size_t first, size_t last,
                       uint32_t count, size_t first_nested) {
   std::string name = emittable.routine_names[routine.index];
-  uint32_t id = 0, last_id = 0;
-  for (size_t i = last + 1; i-- > first && last_id == 0;)
-    if (items[i].statement.valid()) last_id = program.statements[items[i].statement].id;
-  for (size_t i = first; i <= last; ++i) {
-    if (!items[i].statement.valid()) continue;
-    const ir::Statement& statement = program.statements[items[i].statement];
-    name += "_" + SafeIdentifier(statement.subject.empty() ? "part" : statement.subject);
-    id = statement.id;
-    break;
-  }
+  std::vector<ir::StatementId> statements_in;
+  for (size_t i = first; i <= last; ++i)
+    if (items[i].statement.valid()) statements_in.push_back(items[i].statement);
+  // Without one: what the control does in front of the first one of a routine.
+  ir::Statement none;
+  const ir::Statement& head = statements_in.empty() ? none : program.statements[statements_in.front()];
+  if (!statements_in.empty()) name += "_" + SafeIdentifier(head.subject.empty() ? "part" : head.subject);
   if (!names.insert(name).second) {
-    name += "_" + support::HexDigits(id, 8);
+    name += "_" + support::HexDigits(head.id, 8);
     for (uint32_t i = 2; !names.insert(name).second; ++i) name += "_" + std::to_string(i);
   }
   const auto index = static_cast<uint32_t>(emittable.chunks.size());
@@ -195,7 +191,7 @@ void Cutter::AddChunk(ir::RegionId region, const std::vector<ir::Item>& items, s
   Chunk chunk;
   chunk.name = name;
   chunk.routine = routine;
-  chunk.last_id = last_id;
+  chunk.last_id = statements_in.empty() ? 0 : program.statements[statements_in.back()].id;
   chunk.region = region;
   chunk.begin = items[first].begin;
   chunk.end = items[last].end;
@@ -252,7 +248,6 @@ void CutChunks(Emittable& emittable) {
   }
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     const ir::RegionId body = program.routines[ir::RoutineId(i)].body;
-    if (!body.valid()) continue;
     cutter.routine = ir::RoutineId(i);
     const std::vector<ir::SlicePiece> pieces = ir::SlicePieces(program, cutter.routine);
     for (const ir::SlicePiece& piece : pieces) {

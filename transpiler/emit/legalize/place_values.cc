@@ -39,6 +39,7 @@ struct ValuePlacer {
   bool IsAskedFor() const;
 };
 
+/// Also the mark of a statement has: its comments.
 bool ValuePlacer::HasText(InstId id) const {
   const Form form = emittable.forms[id.index];
   return form == Form::kLine || form == Form::kLocal;
@@ -65,7 +66,6 @@ void ValuePlacer::FirstValues() {
     for (uint32_t i = piece.begin; i < piece.end; ++i) {
       const InstId id = program.regions[piece.region].insts[i];
       const ir::Inst& inst = program[id];
-      if (inst.op == ir::OpKind::kStatement) return;
       if (!HasText(id)) continue;
       if (inst.op != ir::OpKind::kStore || program[ir::ValueId(inst.a)].op != ir::OpKind::kConst) return;
       const auto declared = std::ranges::find_if(locals.declared, [&inst](const Locals::Declared& local) {
@@ -94,8 +94,7 @@ void ValuePlacer::ReturnsIn(const std::vector<Piece>& pieces) {
         emittable.forms[id.index] = Form::kInside;
         store = {};
       }
-      if (program[id].op == ir::OpKind::kStatement) store = {};  // its comments are between
-      if (HasText(id)) store = GivesResult(id) ? id : InstId();
+      if (HasText(id)) store = GivesResult(id) ? id : InstId();  // none behind a statement: its comments are between
     }
   }
 }
@@ -107,7 +106,6 @@ void ValuePlacer::ReturnsAtEnd(const std::vector<Piece>& pieces) {
   for (uint32_t i = piece.end; i-- > piece.begin;) {
     const InstId id = program.regions[piece.region].insts[i];
     const ir::Inst& inst = program[id];
-    if (inst.op == ir::OpKind::kStatement) return;
     if (!HasText(id)) continue;
     if (GivesResult(id)) emittable.returns.try_emplace(id.index);
     if (inst.op == ir::OpKind::kBlock) ReturnsAtEnd(PiecesOf(emittable, RegionId(inst.a)));

@@ -24,7 +24,6 @@ void Handlers::Call(uint32_t kind, ir::PlaceId channel, const std::function<void
   };
   const auto call = [&](FunctionId handler, uint32_t channel_number) {
     const ir::RoutineId routine = placement_.routines[handler.index];
-    if (!routine.valid()) return;
     std::vector<ValueId> arguments;
     if (!program_.routines[routine].parameters.empty()) arguments.push_back(Word(channel_number));
     builder_.CallRoutine(routine, std::move(arguments));

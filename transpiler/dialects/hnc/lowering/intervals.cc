@@ -135,7 +135,7 @@ void Intervals::Refine(ExprId condition, bool holds) {
   while (!open.empty()) {
     const ExprId id = open.back();
     open.pop_back();
-    if (!id.valid() || !ExprAt(id).type.valid()) continue;
+    if (!ExprAt(id).type.valid()) continue;
     const Expr& expr = ExprAt(id);
     switch (expr.kind) {
       case ExprKind::kAnd:
