@@ -1,27 +1,54 @@
 #include "transpiler/engines/harness.h"
 
-#include <algorithm>
-
 #include "transpiler/emit/print/host_function_head.h"
 
 namespace plcxx::engines {
 namespace {
 
-// Before the host functions: what they do with a call.
-constexpr std::string_view kCalls = R"(
-struct Event { uint32_t function; uint32_t count; uint64_t arguments[kMostArguments]; };
+// What the programs of one executable share: the commands, and what a host call does. It is compiled once, however many
+// they are; State and Host are seen through a table.
+constexpr std::string_view kServer = R"(
+namespace plcxx_harness {
+struct Program {
+  void* state;
+  size_t state_bytes;
+  uint32_t* now;
+  void (*start)();
+  void (*init)();
+  void (*period)();
+  void (*fast_only)();
+  void (*elapse)();
+  void (*store_retentive)();
+  void (*reapply_forces)();
+  void (*send_text)(const char*, size_t);
+  // Of the debug flavour only.
+  unsigned char* force_mask;
+  unsigned char* force_value;
+  bool* off;
+};
 struct Answer { uint64_t result; uint32_t has_second; uint64_t second; };
-static Event* events = nullptr;
-static uint32_t event_count = 0, event_room = 0;
+static const Program* served = nullptr;
+static uint32_t* told = nullptr;  // the events, as they are written
+static uint32_t told_words = 0, told_room = 0, event_count = 0;
 static uint32_t asking = kAsksNobody;
 
-static void Note(const Event& event) {
-  if (event_count == event_room) {
-    const uint32_t room = 2 * event_room + 16;
-    events = static_cast<Event*>(plcxx_console::Grow(events, event_room * sizeof(Event), room * sizeof(Event)));
-    event_room = room;
+static void Tell(uint32_t word) {
+  if (told_words == told_room) {
+    const uint32_t room = 2 * told_room + 64;
+    told = static_cast<uint32_t*>(plcxx_console::Grow(told, told_room * sizeof(uint32_t), room * sizeof(uint32_t)));
+    told_room = room;
   }
-  events[event_count++] = event;
+  told[told_words++] = word;
+}
+
+static void Note(uint32_t function, uint32_t count, const uint64_t* arguments) {
+  Tell(function);
+  Tell(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    Tell(static_cast<uint32_t>(arguments[i]));
+    Tell(static_cast<uint32_t>(arguments[i] >> 32));
+  }
+  ++event_count;
 }
 
 static unsigned char ReadLetter() {
@@ -49,31 +76,29 @@ static Answer ReadAnswer() {
   return answer;
 }
 
-static void WriteCall(const Event& event) {
-  const uint32_t head[2] = {event.function, event.count};
-  plcxx_console::Write(head, sizeof head);
-  plcxx_console::Write(event.arguments, event.count * sizeof(uint64_t));
+static void SetBits(unsigned char& byte, uint32_t mask, uint32_t value) {
+  byte = static_cast<unsigned char>((byte & ~mask) | (value & mask));
 }
 
 static void HostWrites() {
   const uint32_t at = ReadWord(), mask = ReadWord(), value = ReadWord();
-  unsigned char* const bytes = reinterpret_cast<unsigned char*>(&m);
-  bytes[at] = static_cast<unsigned char>((bytes[at] & ~mask) | (value & mask));
-  ReapplyForces(m);
+  SetBits(static_cast<unsigned char*>(served->state)[at], mask, value);
+  served->reapply_forces();
 }
 
-static Answer Ask(const Event& event) {
+static Answer Ask(uint32_t function, uint32_t count, const uint64_t* arguments) {
   if (asking == kAsksNobody) return {0, 0, 0};
-  plcxx_console::Write(&kHostQuestion, sizeof kHostQuestion);
-  WriteCall(event);
+  const uint32_t head[3] = {kHostQuestion, function, count};
+  plcxx_console::Write(head, sizeof head);
+  if (count > 0) plcxx_console::Write(arguments, count * sizeof(uint64_t));
   if (asking == kAsksWithState) {
-    plcxx_console::Write(&m, kStateBytes);
+    plcxx_console::Write(served->state, served->state_bytes);
     plcxx_console::Flush();
   }
   for (;;) {
     switch (ReadLetter()) {
       case 'W': HostWrites(); break;
-      case 'S': StoreRetentive(); break;
+      case 'S': served->store_retentive(); break;
       case 'A': return ReadAnswer();
       case 'D': plcxx_console::Flush(); break;
       default: plcxx_console::Quit();
@@ -100,75 +125,73 @@ static void TakeBits(uint64_t bits, float& value) {
   __builtin_memcpy(&value, &low, sizeof low);
 }
 static void TakeBits(uint64_t bits, double& value) { __builtin_memcpy(&value, &bits, sizeof bits); }
-}
-)";
-
-constexpr std::string_view kServe = R"(
-namespace harness = program::harness;
 
 static void Report() {
-  plcxx_console::Write(&harness::event_count, sizeof harness::event_count);
-  for (uint32_t i = 0; i < harness::event_count; ++i) harness::WriteCall(harness::events[i]);
-  harness::event_count = 0;
-  plcxx_console::Write(&harness::m, harness::kStateBytes);
+  plcxx_console::Write(&event_count, sizeof event_count);
+  if (told_words > 0) plcxx_console::Write(told, told_words * sizeof(uint32_t));
+  event_count = told_words = 0;
+  plcxx_console::Write(served->state, served->state_bytes);
   plcxx_console::Flush();
 }
 
-static void Serve() {
-  program::Host& host = harness::host;
-  program::State& m = harness::m;
-  const auto word = [] { return harness::ReadWord(); };
+static void Run(void (*part)()) {
+  *served->now = ReadWord();
+  part();
+  Report();
+}
+
+static void Force() {
+  const uint32_t at = ReadWord(), mask = ReadWord(), value = ReadWord();
+  served->force_mask[at] = static_cast<unsigned char>(served->force_mask[at] | mask);
+  SetBits(served->force_value[at], mask, value);
+  served->reapply_forces();
+}
+
+static void Release() {
+  const uint32_t at = ReadWord(), mask = ReadWord();
+  SetBits(served->force_mask[at], mask, 0);
+}
+
+static void SendText() {
   static char* text = nullptr;
-  static uint32_t text_room = 0;
-  m = program::State{};
-  host = program::Host{};
-  harness::event_count = 0;
-  harness::asking = harness::kAsksNobody;
+  static uint32_t room = 0;
+  const uint32_t size = ReadWord();
+  if (size > room) {
+    text = static_cast<char*>(plcxx_console::Grow(text, 0, 2 * static_cast<size_t>(size)));
+    room = 2 * size;
+  }
+  plcxx_console::Read(text, size);
+  served->send_text(text, size);
+  Report();
+}
+
+static void Serve(const Program& program) {
+  served = &program;
+  program.start();
+  event_count = told_words = 0;
+  asking = kAsksNobody;
   for (;;) {
-    switch (harness::ReadLetter()) {
+    const unsigned char letter = ReadLetter();
+    if (!program.off && (letter == 'K' || letter == 'R' || letter == 'E')) plcxx_console::Quit();
+    switch (letter) {
       case 'Q': return;
-      case 'I': program::init(m, host); Report(); break;
-      case 'P': host.now = word(); RunPeriod(m, host); Report(); break;
-      case 'F': host.now = word(); RunFastOnly(m, host); Report(); break;
-      case 'L': host.now = word(); RunElapse(m, host); Report(); break;
-      case 'W': harness::HostWrites(); break;
-)";
-
-// Of the debug flavour only.
-constexpr std::string_view kForcing = R"(      case 'K': {
-        const uint32_t at = word(), mask = word(), value = word();
-        m.force_mask[at] = static_cast<unsigned char>(m.force_mask[at] | mask);
-        m.force_value[at] = static_cast<unsigned char>((m.force_value[at] & ~mask) | (value & mask));
-        m.ReapplyForces();
-        break;
-      }
-      case 'R': {
-        const uint32_t at = word(), mask = word();
-        m.force_mask[at] = static_cast<unsigned char>(m.force_mask[at] & ~mask);
-        break;
-      }
+      case 'I': program.init(); Report(); break;
+      case 'P': Run(program.period); break;
+      case 'F': Run(program.fast_only); break;
+      case 'L': Run(program.elapse); break;
+      case 'W': HostWrites(); break;
+      case 'K': Force(); break;
+      case 'R': Release(); break;
       case 'E': {
-        const uint32_t statement = word();
-        m.off[statement] = word() == 0;
+        const uint32_t statement = ReadWord();
+        program.off[statement] = ReadWord() == 0;
         break;
       }
-)";
-
-constexpr std::string_view kServeOn = R"(      case 'T': {
-        const uint32_t size = word();
-        if (size > text_room) {
-          text = static_cast<char*>(plcxx_console::Grow(text, 0, 2 * static_cast<size_t>(size)));
-          text_room = 2 * size;
-        }
-        plcxx_console::Read(text, size);
-        SendText(m, text, size);
-        Report();
-        break;
-      }
-      case 'H': harness::asking = word(); break;
-      case 'A': harness::ReadAnswer(); break;
+      case 'T': SendText(); break;
+      case 'H': asking = ReadWord(); break;
+      case 'A': ReadAnswer(); break;
       case 'D': break;
-      case 'S': harness::StoreRetentive(); break;
+      case 'S': program.store_retentive(); break;
       default: plcxx_console::Quit();
     }
   }
@@ -182,26 +205,33 @@ bool TakesState(const ir::HostFunction& function) {
 
 /// The body of a function whose calls are events, and are answered by who drives the engine.
 std::string Asking(const ir::HostFunction& function, uint32_t number) {
-  std::string call = std::to_string(number) + ", " + std::to_string(function.parameters.size()) + ", {";
-  for (const ir::Parameter& parameter : function.parameters) {
-    call += (call.back() == '{' ? "" : ", ") + ("harness::Bits(" + parameter.name + ")");
+  std::string out = "  static_cast<void>(host);\n";
+  std::string call = std::to_string(number) + ", " + std::to_string(function.parameters.size());
+  if (function.parameters.empty()) {
+    call += ", nullptr)";
+  } else {
+    out += "  const uint64_t harness_arguments[] = {";
+    for (const ir::Parameter& parameter : function.parameters)
+      out += (out.back() == '{' ? "" : ", ") + ("::plcxx_harness::Bits(" + parameter.name + ")");
+    out += "};\n";
+    call += ", harness_arguments)";
   }
-  call += '}';
-  std::string out = "  static_cast<void>(host);\n  const harness::Event harness_event = {" + call + "};\n";
-  if (!function.routine_exchange) out += "  harness::Note(harness_event);\n";
-  out += "  const harness::Answer harness_answer = harness::Ask(harness_event);\n";
+  if (!function.routine_exchange) out += "  ::plcxx_harness::Note(" + call + ";\n";
+  out += "  const ::plcxx_harness::Answer harness_answer = ::plcxx_harness::Ask(" + call + ";\n";
   if (!function.out.name.empty())
-    out += "  if (harness_answer.has_second) harness::TakeBits(harness_answer.second, " + function.out.name + ");\n";
+    out += "  if (harness_answer.has_second) ::plcxx_harness::TakeBits(harness_answer.second, " + function.out.name +
+           ");\n";
   if (function.result == ir::Type::kNone) return out + "  static_cast<void>(harness_answer);\n";
   return out + "  " + std::string(ir::CppName(function.result)) +
-         " harness_result;\n  harness::TakeBits(harness_answer.result, harness_result);\n  return harness_result;\n";
+         " harness_result;\n  ::plcxx_harness::TakeBits(harness_answer.result, harness_result);\n  return "
+         "harness_result;\n";
 }
 
 /// The host's store of retentive memory, kept beside the State.
 std::string Storing(const ir::HostFunction& function, uint32_t number) {
   const bool loads = function.access == ir::HostAccess::kWritesRetentive;
   std::string out;
-  if (!function.routine_exchange) out += "  harness::Note({" + std::to_string(number) + ", 0, {}});\n";
+  if (!function.routine_exchange) out += "  ::plcxx_harness::Note(" + std::to_string(number) + ", 0, nullptr);\n";
   out += loads ? "  if (host.has_stored) retentive = host.stored;\n"
                : "  host.stored = retentive;\n  host.has_stored = true;\n";
   if (function.result != ir::Type::kNone && !loads) out += "  return {};\n";
@@ -229,53 +259,44 @@ std::string HostFunctions(const emit::Emittable& emittable) {
   return out;
 }
 
-/// Where the commands of one program are obeyed: a namespace beside the program's own, so that neither's names are in
-/// the other's way.
-std::string ServerName(const emit::Emittable& emittable) { return emittable.namespace_name + "_server"; }
+/// Where State, Host and what the server calls of one program stand: a namespace beside the program's own, so that
+/// neither's names are in the other's way.
+std::string ServedName(const emit::Emittable& emittable) { return emittable.namespace_name + "_served"; }
 
-/// State, Host and the host functions of one program, then its server.
+/// Host and the host functions of one program, then its row of the table.
 std::string ProgramHarness(const emit::Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   const bool retentive = emittable.layout.retentive_bytes > 0;
-  size_t most_arguments = 1;
-  for (const ir::HostFunction& function : program.host_functions) {
-    most_arguments = std::max(most_arguments, function.parameters.size());
-  }
+  const bool debug = emittable.options.flavour == emit::Flavour::kDebug;
   std::string out = "namespace " + emittable.namespace_name + " {\nstruct Host {\n  uint32_t now = 0;\n";
   if (retentive) out += "  Retentive stored{};\n  bool has_stored = false;\n";
-  out += "};\nnamespace harness {\nstatic State m;\nstatic Host host;\n";
-  out += "constexpr size_t kStateBytes = " + std::to_string(emittable.layout.size) + ";\n";
-  out += "constexpr size_t kMostArguments = " + std::to_string(most_arguments) + ";\n";
-  const auto number = [&out](std::string_view name, uint32_t value) {
-    out += "constexpr uint32_t " + std::string(name) + " = " + std::to_string(value) + "u;\n";
+  out += "};\n" + HostFunctions(emittable) + "}\n";
+  out += "namespace " + ServedName(emittable) + " {\nnamespace program = ::" + emittable.namespace_name + ";\n";
+  out += "static program::State m;\nstatic program::Host host;\n";
+  const auto function = [&out](std::string_view name, std::string_view body) {
+    out += "static void " + std::string(name) + "() {" + std::string(body) + "}\n";
   };
-  number("kHostQuestion", kHostQuestion);
-  number("kAsksNobody", static_cast<uint32_t>(Asking::kNobody));
-  number("kAsksWithState", static_cast<uint32_t>(Asking::kWithState));
-  const bool debug = emittable.options.flavour == emit::Flavour::kDebug;
-  out += std::string("static void ReapplyForces(State& state) {") +
-         (debug ? " state.ReapplyForces(); }\n" : " static_cast<void>(state); }\n");
-  out += "static void StoreRetentive() {\n";
-  if (retentive) out += "  host.stored = m.retentive;\n  host.has_stored = true;\n";
-  out += "}\n" + std::string(kCalls) + HostFunctions(emittable) + "}\n";
-  out += "namespace " + ServerName(emittable) + " {\nnamespace program = ::" + emittable.namespace_name + ";\n";
-  const auto runner = [&](std::string_view name, ir::RoutineId routine) {
-    out += "static void " + std::string(name) +
-           "(program::State& m, program::Host& host) {\n  static_cast<void>(m);\n  static_cast<void>(host);\n";
-    if (routine.valid()) out += "  program::" + program.routines[routine].name + "(m, host);\n";
-    out += "}\n";
+  const auto run = [&](std::string_view name, ir::RoutineId routine) {
+    function(name, routine.valid() ? " program::" + program.routines[routine].name + "(m, host); " : "");
   };
-  runner("RunPeriod", program.schedule.period);
-  runner("RunFastOnly", program.schedule.fast_only);
-  runner("RunElapse", program.schedule.elapse);
-  out += "static void SendText(program::State& m, const char* text, size_t length) {\n";
-  out += program.text_inbox.valid()
-             ? "  program::send_operator_text(m, text, length);\n"
-             : "  static_cast<void>(m);\n  static_cast<void>(text);\n  static_cast<void>(length);\n";
+  function("Start", " m = program::State{}; host = program::Host{}; ");
+  function("Init", " program::init(m, host); ");
+  run("Period", program.schedule.period);
+  run("FastOnly", program.schedule.fast_only);
+  run("Elapse", program.schedule.elapse);
+  function("StoreRetentive", retentive ? " host.stored = m.retentive; host.has_stored = true; " : "");
+  function("ReapplyForces", debug ? " m.ReapplyForces(); " : "");
+  out += "static void SendText(const char* text, size_t length) {";
+  out += program.text_inbox.valid() ? " program::send_operator_text(m, text, length); "
+                                    : " static_cast<void>(text); static_cast<void>(length); ";
   out += "}\n";
-  out += kServe;
-  if (debug) out += kForcing;
-  return out + std::string(kServeOn);
+  return out + "static const plcxx_harness::Program row = {&m, " + std::to_string(emittable.layout.size) +
+         ", &host.now, Start, Init, Period, FastOnly, Elapse, StoreRetentive, ReapplyForces, SendText, " +
+         (debug ? "m.force_mask, m.force_value, m.off" : "nullptr, nullptr, nullptr") + "};\n}\n";
+}
+
+std::string Constant(std::string_view name, uint32_t value) {
+  return "constexpr uint32_t " + std::string(name) + " = " + std::to_string(value) + "u;\n";
 }
 
 }  // namespace
@@ -286,15 +307,19 @@ std::string HarnessText(std::span<const emit::Emittable> programs) {
   for (const emit::Emittable& emittable : programs)
     out += "#include \"" + emittable.options.name + (emittable.parts.size() == 1 ? ".cpp" : ".hpp") + "\"\n";
   out += "#include \"console.h\"\n";
-  // The code of the programs is optimized as the platform says. The harness need not be, and is half of the whole.
+  // The code of the programs is optimized as the platform says. The harness need not be.
   out += "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize (\"O0\")\n#endif\n";
+  out += "namespace plcxx_harness {\n" + Constant("kHostQuestion", kHostQuestion) +
+         Constant("kAsksNobody", static_cast<uint32_t>(Asking::kNobody)) +
+         Constant("kAsksWithState", static_cast<uint32_t>(Asking::kWithState)) + "}" + std::string(kServer);
   for (const emit::Emittable& emittable : programs) out += ProgramHarness(emittable);
-  out +=
-      "int main() {\n  for (;;) {\n    uint32_t number = 0;\n    plcxx_console::Read(&number, sizeof number);\n"
-      "    switch (number) {\n";
-  for (size_t i = 0; i < programs.size(); ++i)
-    out += "      case " + std::to_string(i) + ": " + ServerName(programs[i]) + "::Serve(); break;\n";
-  return out + "      default: return 0;\n    }\n  }\n}\n";
+  out += "static const plcxx_harness::Program* const programs[] = {";
+  for (const emit::Emittable& emittable : programs) out += "&" + ServedName(emittable) + "::row, ";
+  return out +
+         "};\nint main() {\n  for (;;) {\n    uint32_t number = 0;\n    plcxx_console::Read(&number, sizeof number);\n"
+         "    if (number >= sizeof programs / sizeof *programs) return 0;\n    "
+         "plcxx_harness::Serve(*programs[number]);\n"
+         "  }\n}\n";
 }
 
 }  // namespace plcxx::engines
