@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "tests/temporary_directory.h"
 #include "transpiler/review/diff/diff.h"
@@ -51,6 +52,18 @@ inline std::string NamesIn(const Diff& diff) {
 inline const DiffItem* ItemNamed(const Diff& diff, const std::string& name) {
   const auto at = std::ranges::find(diff.items, name, &DiffItem::name);
   return at == diff.items.end() ? nullptr : &*at;
+}
+
+/// As ComparedTexts, of versions of which something may stay open beside the differences that are looked for: all of
+/// the time would be used for that, so much of it is given only where a first comparison has not shown them.
+inline Diff ComparedUntilShown(const Language& language, const std::string& old_text, const std::string& new_text,
+                               const std::vector<std::string>& differences) {
+  Diff diff = ComparedTexts(language, old_text, new_text, {.time_ms = 4'000});
+  const bool are_shown = std::ranges::all_of(differences, [&](const std::string& name) {
+    const DiffItem* const item = ItemNamed(diff, name);
+    return item != nullptr && item->verdict == ItemVerdict::kDifferent;
+  });
+  return are_shown ? diff : ComparedTexts(language, old_text, new_text);
 }
 
 }  // namespace plcxx::review::diff

@@ -23,7 +23,8 @@ TEST(Observed, TheOrderOfCallsOfTwoFunctions) {
   const std::string write = ":JU FM 51\n: IB 106\n: K 41\n: K 1\n", read = ":JU FM 41\n: K 41\n: K 1\n: OB 106\n";
   const std::string program =
       ":MOD PM 9\n:A I 20.1\n@:= F 100.0\n:END PM 9\n:MOD PM 0\n:A I 20.1\n:S F 251.0\n:END PM 0\n";
-  const Diff diff = ComparedTexts(kProstep, With(program, write + read), With(program, read + write));
+  const Diff diff = ComparedUntilShown(kProstep, With(program, write + read), With(program, read + write),
+                                       {"OB 106", "order of calls"});
   // The control gives back what was written.
   ExpectDifferent(diff, "OB 106");
   ExpectDifferent(diff, "order of calls");
@@ -74,13 +75,12 @@ TEST(Observed, OneBitOfAByteMayBeTheControls) {
 
 // The NC clears the request O 26.6 when the register of the travelled distance is cleared; O 26.5 is the program's.
 TEST(Observed, OneBitOfAByteMayBeClearedByTheControl) {
-  const auto compared = [](const std::string& bit) {
-    const std::string program =
-        ":MOD PM 9\n:A I 0.1\n@:= O 0.0\n:END PM 9\n:MOD PM 0\n:A I 20.1\n:S " + bit + "\n:S F 251.0\n:END PM 0\n";
-    return ComparedTexts(kProstep, With(program, ""), With(program, ":A " + bit + "\n"));
+  const auto program = [](const std::string& bit) {
+    return ":MOD PM 9\n:A I 0.1\n@:= O 0.0\n:END PM 9\n:MOD PM 0\n:A I 20.1\n:S " + bit + "\n:S F 251.0\n:END PM 0\n";
   };
-  ExpectDifferent(compared("O 26.6"), "O 0.0");
-  EXPECT_TRUE(compared("O 26.5").items.empty());
+  const std::string left = program("O 26.6"), kept = program("O 26.5");
+  ExpectDifferent(ComparedUntilShown(kProstep, With(left, ""), With(left, ":A O 26.6\n"), {"O 0.0"}), "O 0.0");
+  EXPECT_TRUE(ComparedTexts(kProstep, With(kept, ""), With(kept, ":A O 26.5\n")).items.empty());
 }
 
 // Free memory that the control writes, as the option says: the program's own write is not all that comes there.

@@ -19,7 +19,8 @@ std::string PressWithPreset(const std::string& time_word) {
 }
 
 TEST(DiffPresets, AreFoundInDeclaredData) {
-  const Diff diff = ComparedTexts({"prostep", ".plc"}, PressWithPreset("3005D"), PressWithPreset("3006D"));
+  const Diff diff = ComparedUntilShown({"prostep", ".plc"}, PressWithPreset("3005D"), PressWithPreset("3006D"),
+                                       {"O 0.7", "F 8.1", "T 1"});
   for (const char* name : {"O 0.7", "F 8.1", "T 1"}) {
     const DiffItem* const item = ItemNamed(diff, name);
     ASSERT_NE(item, nullptr) << name;

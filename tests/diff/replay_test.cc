@@ -57,7 +57,7 @@ TEST(DiffReplay, WhatHasNoNameInTheProgramHasItsWord) {
            "; mod_M_code(ch) = -1; }\nvoid init(void) { set_mst_func(0, 'M', exec_M); plc1_time = 8; plc2_time = 16; "
            "}\nvoid plc1(void) { plc1_time = 8; }\nvoid plc2(void) { plc2_time = 16; }\n";
   };
-  const Diff diff = ComparedTexts(kHnc, program("++"), program(" += 2"));
+  const Diff diff = ComparedUntilShown(kHnc, program("++"), program(" += 2"), {"calls"});
   const DiffItem* const item = Shown(diff, "calls");
   ASSERT_NE(item, nullptr);
   EXPECT_EQ(item->counterexample->replay, Replay::kSimulator);
