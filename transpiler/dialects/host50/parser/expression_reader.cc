@@ -1,7 +1,6 @@
-// The arguments of COMP and OPRT (specification 3, 6.6).
-#include <algorithm>
+#include "transpiler/dialects/host50/parser/expression_reader.h"
 
-#include "transpiler/dialects/host50/parser/internal.h"
+#include <algorithm>
 
 namespace plcxx::host50 {
 namespace {
@@ -29,10 +28,12 @@ std::optional<ExprKind> RelationOf(TokenKind token) {
 
 }  // namespace
 
-ExprId Parser::ErrorExpr(source::Range range) { return program_.exprs.Add({.kind = ExprKind::kError, .range = range}); }
+ExprId ExpressionReader::ErrorExpr(source::Range range) {
+  return program_.exprs.Add({.kind = ExprKind::kError, .range = range});
+}
 
 /// E401, E111, or where a comparison stands in its place E402 and E403.
-void Parser::FaultOfExpression(std::string_view what) {
+void ExpressionReader::FaultOfExpression(std::string_view what) {
   if (FaultOfBadToken()) return;
   const std::string_view meant = MeantInExpression();
   if (meant.empty()) {
@@ -43,13 +44,14 @@ void Parser::FaultOfExpression(std::string_view what) {
 }
 
 /// What operators and numbers of other languages are in this one, as a remedy; empty: nobody knows.
-std::string_view Parser::MeantInExpression() const {
+std::string_view ExpressionReader::MeantInExpression() const {
   const Token token = Peek();
   const std::string_view text = TextOf(token);
-  const size_t at = token.range.begin - source_->base;
-  const char before = at > 0 ? source_->text[at - 1] : ' ';
-  const char behind =
-      token.range.end - source_->base < source_->text.size() ? source_->text[token.range.end - source_->base] : ' ';
+  const size_t at = token.range.begin - now_.source->base;
+  const char before = at > 0 ? now_.source->text[at - 1] : ' ';
+  const char behind = token.range.end - now_.source->base < now_.source->text.size()
+                          ? now_.source->text[token.range.end - now_.source->base]
+                          : ' ';
   if (before == '=' && text == "=") return "'equal' is one '='";
   if (before == '=' && text == "<") return "'less or equal' is '<='";
   if (before == '=' && text == ">") return "'greater or equal' is '>='";
@@ -72,13 +74,13 @@ std::string_view Parser::MeantInExpression() const {
 }
 
 /// The rest of the statement must be empty.
-void Parser::CloseExpression(bool quoted) {
+void ExpressionReader::CloseExpression(bool quoted) {
   if (quoted && !TakeIf(TokenKind::kQuote)) return FaultOfExpression("the end of the expression");
   if (At(TokenKind::kEnd)) return;
   quoted ? ExpectEnd() : FaultOfExpression("an operator or the end of the statement");
 }
 
-Operand Parser::ReadComparison() {
+Operand ExpressionReader::ReadComparison() {
   expression_of_ = ExpressionOf::kComparison;
   parentheses_ = expression_operands_ = 0;
   Operand operand{.type = Type::kBit, .role = OperandRole::kComparison, .range = Peek().range};
@@ -100,7 +102,7 @@ Operand Parser::ReadComparison() {
   const ExprId right = ReadOr();
   if (RelationOf(Peek().kind)) Fault(Peek().range, diag::Host50OneComparison, "a second one");
   CloseExpression(quoted);
-  if (failed_) return operand;
+  if (now_.failed) return operand;
   operand.kind = OperandKind::kExpression;
   operand.range = {begin, program_.exprs[right].range.end};
   operand.expr =
@@ -108,7 +110,7 @@ Operand Parser::ReadComparison() {
   return operand;
 }
 
-void Parser::ReadAssignment(std::vector<Operand>& operands) {
+void ExpressionReader::ReadAssignment(std::vector<Operand>& operands) {
   expression_of_ = ExpressionOf::kAssignment;
   parentheses_ = expression_operands_ = 0;
   const bool quoted = TakeIf(TokenKind::kQuote);
@@ -119,14 +121,14 @@ void Parser::ReadAssignment(std::vector<Operand>& operands) {
   }
   if (Peek(assign).kind == TokenKind::kEnd) {
     const std::string found = AtExpressionEnd() ? "nothing" : "no '='";
-    Fault(assign == 0 ? statement_ : source::Range{Peek().range.begin, tokens_.back().range.end},
+    Fault(assign == 0 ? now_.range : source::Range{Peek().range.begin, now_.tokens.back().range.end},
           diag::Host50Assignment, found);
     return;
   }
   if (At(TokenKind::kEquals) || At(TokenKind::kAssign) || At(TokenKind::kOpenParenthesis)) {
     return FaultOfExpression("a destination");
   }
-  operands.push_back(ReadOperand(OperandRole::kNumberResult));
+  operands.push_back(operands_.ReadOperand(OperandRole::kNumberResult));
   if (!TakeIf(TokenKind::kEquals) && !TakeIf(TokenKind::kAssign)) {
     if (RelationOf(Peek().kind)) Fault(Peek().range, diag::Host50Assignment, "a comparison");
     return FaultOfExpression("'='");
@@ -135,13 +137,13 @@ void Parser::ReadAssignment(std::vector<Operand>& operands) {
   value.expr = ReadOr();
   if (RelationOf(Peek().kind)) Fault(Peek().range, diag::Host50Assignment, "a comparison");
   CloseExpression(quoted);
-  value.kind = failed_ ? OperandKind::kError : OperandKind::kExpression;
+  value.kind = now_.failed ? OperandKind::kError : OperandKind::kExpression;
   value.type = program_.exprs[value.expr].type;
   value.range = program_.exprs[value.expr].range;
   operands.push_back(value);
 }
 
-ExprId Parser::AddBinary(ExprKind kind, ExprId left, ExprId right, const Token& op) {
+ExprId ExpressionReader::AddBinary(ExprKind kind, ExprId left, ExprId right, const Token& op) {
   const Expr& a = program_.exprs[left];
   const Expr& b = program_.exprs[right];
   const source::Range range = {a.range.begin, b.range.end};
@@ -155,43 +157,43 @@ ExprId Parser::AddBinary(ExprKind kind, ExprId left, ExprId right, const Token& 
   return program_.exprs.Add({.kind = kind, .type = type, .left = left, .right = right, .range = range});
 }
 
-ExprId Parser::ReadOr() {
+ExprId ExpressionReader::ReadOr() {
   ExprId left = ReadAnd();
-  while (!failed_ && At(TokenKind::kBar)) {
+  while (!now_.failed && At(TokenKind::kBar)) {
     const Token op = Take();
     left = AddBinary(ExprKind::kOr, left, ReadAnd(), op);
   }
   return left;
 }
 
-ExprId Parser::ReadAnd() {
+ExprId ExpressionReader::ReadAnd() {
   ExprId left = ReadSum();
-  while (!failed_ && At(TokenKind::kAmpersand)) {
+  while (!now_.failed && At(TokenKind::kAmpersand)) {
     const Token op = Take();
     left = AddBinary(ExprKind::kAnd, left, ReadSum(), op);
   }
   return left;
 }
 
-ExprId Parser::ReadSum() {
+ExprId ExpressionReader::ReadSum() {
   ExprId left = ReadProduct();
-  while (!failed_ && (At(TokenKind::kPlus) || At(TokenKind::kMinus))) {
+  while (!now_.failed && (At(TokenKind::kPlus) || At(TokenKind::kMinus))) {
     const Token op = Take();
     left = AddBinary(op.kind == TokenKind::kPlus ? ExprKind::kAdd : ExprKind::kSubtract, left, ReadProduct(), op);
   }
   return left;
 }
 
-ExprId Parser::ReadProduct() {
+ExprId ExpressionReader::ReadProduct() {
   ExprId left = ReadUnary();
-  while (!failed_ && (At(TokenKind::kStar) || At(TokenKind::kSlash))) {
+  while (!now_.failed && (At(TokenKind::kStar) || At(TokenKind::kSlash))) {
     const Token op = Take();
     left = AddBinary(op.kind == TokenKind::kStar ? ExprKind::kMultiply : ExprKind::kDivide, left, ReadUnary(), op);
   }
   return left;
 }
 
-ExprId Parser::ReadUnary() {
+ExprId ExpressionReader::ReadUnary() {
   if (!At(TokenKind::kPlus) && !At(TokenKind::kMinus)) return ReadPrimary();
   const Token sign = Take();
   if (At(TokenKind::kPlus) || At(TokenKind::kMinus)) {
@@ -201,18 +203,18 @@ ExprId Parser::ReadUnary() {
   if (AtNumber()) return ReadSignedConstant(sign);
   const ExprId operand = ReadPrimary();
   const Expr& expr = program_.exprs[operand];
-  if (sign.kind == TokenKind::kPlus || failed_) return operand;
+  if (sign.kind == TokenKind::kPlus || now_.failed) return operand;
   return program_.exprs.Add(
       {.kind = ExprKind::kNegate, .type = expr.type, .left = operand, .range = {sign.range.begin, expr.range.end}});
 }
 
 /// A sign and a literal are one constant; only so 2147483648 is one.
-ExprId Parser::ReadSignedConstant(const Token& sign) {
+ExprId ExpressionReader::ReadSignedConstant(const Token& sign) {
   const Token token = Take();
   return AddConstant(token, {sign.range.begin, token.range.end}, sign.kind == TokenKind::kMinus);
 }
 
-ExprId Parser::AddConstant(const Token& token, source::Range range, bool negative) {
+ExprId ExpressionReader::AddConstant(const Token& token, source::Range range, bool negative) {
   if (++expression_operands_ > kMostOperandsOfExpression) Fault(range, diag::Host50ExpressionTooLarge);
   constexpr uint32_t kFloatSign = 0x8000'0000;
   if (token.kind == TokenKind::kFloat) {
@@ -239,7 +241,7 @@ ExprId Parser::AddConstant(const Token& token, source::Range range, bool negativ
                              .range = range});
 }
 
-ExprId Parser::ReadPrimary() {
+ExprId ExpressionReader::ReadPrimary() {
   const Token token = Peek();
   if (AtNumber()) {
     Take();
@@ -251,7 +253,7 @@ ExprId Parser::ReadPrimary() {
     return ErrorExpr(token.range);
   }
   if (++expression_operands_ > kMostOperandsOfExpression) Fault(token.range, diag::Host50ExpressionTooLarge);
-  Resolved resolved = ReadAddress();
+  SymbolReader::Resolved resolved = symbols_.ReadAddress();
   if (!resolved.ok) return ErrorExpr(token.range);
   Type type = TypeOf(resolved.address);
   if (type == Type::kTimer || type == Type::kCounter) resolved.address.attribute = Attribute::kQ;
@@ -263,7 +265,7 @@ ExprId Parser::ReadPrimary() {
                              .range = token.range});
 }
 
-ExprId Parser::ReadParenthesis() {
+ExprId ExpressionReader::ReadParenthesis() {
   const Token open = Take();
   if (++parentheses_ > kMostParentheses) {
     Fault(open.range, diag::Host50ExpressionTooLarge);
@@ -271,7 +273,7 @@ ExprId Parser::ReadParenthesis() {
   }
   const ExprId inner = ReadOr();
   --parentheses_;
-  if (failed_) return inner;
+  if (now_.failed) return inner;
   if (RelationOf(Peek().kind)) {
     if (expression_of_ == ExpressionOf::kComparison) {
       Fault(Peek().range, diag::Host50OneComparison, "one in parentheses");

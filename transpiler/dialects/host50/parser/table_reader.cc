@@ -1,16 +1,9 @@
-// Directives, TITLE, ALARMS, MCODES (specification 9).
-#include <algorithm>
+#include "transpiler/dialects/host50/parser/table_reader.h"
 
-#include "transpiler/dialects/host50/parser/internal.h"
+#include <algorithm>
 
 namespace plcxx::host50 {
 namespace {
-
-std::string InCapitals(std::string_view word) {
-  std::string capitals(word);
-  for (char& c : capitals) c = Upper(c);
-  return capitals;
-}
 
 std::string_view Trim(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -39,96 +32,25 @@ std::optional<Severity> SeverityByName(std::string_view word) {
 
 }  // namespace
 
-void Parser::ReadDirectives() {
-  for (const Place& place : directives_) {
-    file_ = place.file;
-    EnterFile(files_[file_]);
-    ReadDirective(files_[file_].lines[place.line]);
-  }
-  ApplyOptions(options_, program_.settings);
-}
-
-void Parser::ReadDirective(const Line& line) {
-  Begin(line);
-  const std::string word = InCapitals(TextOf(Peek()));
-  if (word == "OPTION") return ReadOption();
-  const source::Range keyword = Peek().range;
-  if (!given_directives_.insert(word).second) Fault(keyword, diag::Host50DirectiveTwice, word);
-  ReadNumberDirective(word);
-}
-
-/// SLOWDIV n, CHANNELS c.
-void Parser::ReadNumberDirective(std::string_view word) {
-  Take();
-  const bool is_slowdiv = word == "SLOWDIV";
-  const uint32_t most = is_slowdiv ? kMostSlowdiv : kMostChannels;
-  const Token token = Peek();
-  const bool plain = token.kind == TokenKind::kInteger && IsDigit(TextOf(token).front());
-  const int64_t value = plain ? IntegerOf(token, TextOf(token)).value : 0;
-  if (value < 1 || value > most) {
-    if (!FaultOfBadToken()) {
-      const std::string found = At(TokenKind::kEnd) ? "without a number" : std::string(TextOf(token));
-      Fault(token.range, is_slowdiv ? diag::Host50Slowdiv : diag::Host50Channels, found);
-    }
-    return;
-  }
-  Take();
-  ExpectEnd();
-  if (failed_) return;
-  (is_slowdiv ? program_.settings.slowdiv : program_.settings.channels) = static_cast<uint32_t>(value);
-}
-
-/// OPTION name = value.
-void Parser::ReadOption() {
-  Take();
-  const Token name = Peek();
-  const bool formed = name.kind == TokenKind::kWord && Peek(1).kind == TokenKind::kEquals &&
-                      (Peek(2).kind == TokenKind::kWord || Peek(2).kind == TokenKind::kInteger);
-  if (!formed) {
-    while (Peek().kind == TokenKind::kWord || Peek().kind == TokenKind::kEquals) Take();
-    if (!FaultOfBadToken()) Fault(Peek().range, diag::Host50OptionForm, Found());
-    return;
-  }
-  const Token value = Peek(2);
-  Settings changed = program_.settings;
-  switch (ApplyOption(TextOf(name), TextOf(value), changed)) {
-    case OptionFault::kName:
-      Fault(name.range, diag::Host50OptionName, TextOf(name), ExpectedOption(TextOf(name)));
-      return;
-    case OptionFault::kValue:
-      Fault(value.range, diag::Host50OptionValue, TextOf(name), TextOf(value), ExpectedOption(TextOf(name)));
-      return;
-    case OptionFault::kNone:
-      break;
-  }
-  const std::string key = "option " + InCapitals(TextOf(name));
-  if (!given_directives_.insert(key).second) Fault(name.range, diag::Host50DirectiveTwice, key);
-  Take(), Take(), Take();
-  ExpectEnd();
-  if (!failed_) program_.settings = changed;
-}
-
-void Parser::ReadTables() {
+void TableReader::ReadTables(std::span<const TablePart> tables) {
   // A name, a text and a title are needed by nothing that stands in the same tables: one walk is enough.
-  for (const Table& table : tables_) {
-    file_ = table.file;
-    EnterFile(files_[file_]);
+  for (const TablePart& table : tables) {
+    EnterFile(table.file);
     for (uint32_t i = table.first; i < table.last; ++i) {
-      const Line& line = files_[file_].lines[i];
+      const Line& line = files_[now_.file].lines[i];
       if (line.kind != LineKind::kStatement || line.consumed) continue;
       Begin(line);
       if (FaultOfBadToken()) continue;
       if (table.part == PartKind::kTitle) ReadTitleRow(line);
-      if (table.part == PartKind::kSymbols) ReadSymbolRow(line);
+      if (table.part == PartKind::kSymbols) symbols_.ReadSymbolRow(line);
       if (table.part == PartKind::kAlarms) ReadAlarmRow(line);
       if (table.part == PartKind::kMCodes) ReadMCodeRow(line);
     }
   }
-  if (program_.settings.predefined == PredefinedOption::kOn) AddPredefinedSymbols();
+  if (program_.settings.predefined == PredefinedOption::kOn) symbols_.AddPredefinedSymbols();
 }
 
-/// The string that ends a row.
-std::string Parser::ReadLastString(std::string_view what) {
+std::string TableReader::ReadLastString(std::string_view what) {
   if (!At(TokenKind::kString)) {
     FaultOfMissing(what);
     return {};
@@ -138,7 +60,7 @@ std::string Parser::ReadLastString(std::string_view what) {
   return text;
 }
 
-void Parser::ReadTitleRow(const Line& line) {
+void TableReader::ReadTitleRow(const Line& line) {
   const Token word = Peek();
   const auto keys = TitleKeys();
   const auto row =
@@ -150,10 +72,10 @@ void Parser::ReadTitleRow(const Line& line) {
   if (!title_keys_.insert(row->key).second) Fault(word.range, diag::Host50DirectiveTwice, row->name);
   Take();
   TitleField field{.key = row->key, .text = ReadLastString("a text in double quotes"), .range = line.range};
-  if (!failed_) program_.title.push_back(std::move(field));
+  if (!now_.failed) program_.title.push_back(std::move(field));
 }
 
-void Parser::ReadAlarmRow(const Line& line) {
+void TableReader::ReadAlarmRow(const Line& line) {
   const Token token = Peek();
   if (token.kind != TokenKind::kAddress) {
     Fault(token.range, diag::Host50AddressExpected, Found());
@@ -163,7 +85,7 @@ void Parser::ReadAlarmRow(const Line& line) {
   const bool is_alarm = address.fault == AddressFault::kNone && address.address.area == Area::kQ &&
                         address.address.number >= kFirstAlarm && address.address.number < kFirstAlarm + kAlarmCount;
   if (address.fault != AddressFault::kNone && address.fault != AddressFault::kRange) {
-    ResolveAddress(token);
+    symbols_.ResolveAddress(token);
   } else if (!is_alarm) {
     Fault(token.range, diag::Host50AlarmAddress, TextOf(token));
   }
@@ -181,10 +103,10 @@ void Parser::ReadAlarmRow(const Line& line) {
   if (is_alarm && !alarms_.insert(alarm.index).second) {
     Fault(token.range, diag::Host50DuplicateAlarm, TextOf(token));
   }
-  if (!failed_) program_.alarms.push_back(std::move(alarm));
+  if (!now_.failed) program_.alarms.push_back(std::move(alarm));
 }
 
-void Parser::ReadMCodeRow(const Line& line) {
+void TableReader::ReadMCodeRow(const Line& line) {
   const Token token = Peek();
   if (token.kind != TokenKind::kInteger || !IsDigit(TextOf(token).front())) {
     return FaultOfMissing("the number of an M code");
@@ -194,8 +116,8 @@ void Parser::ReadMCodeRow(const Line& line) {
   Take();
   MCode code{
       .number = static_cast<uint32_t>(value), .text = ReadLastString("a text in double quotes"), .range = line.range};
-  if (!failed_ && !mcodes_.insert(code.number).second) Fault(token.range, diag::Host50DuplicateMCode, value);
-  if (!failed_) program_.mcodes.push_back(std::move(code));
+  if (!now_.failed && !mcodes_.insert(code.number).second) Fault(token.range, diag::Host50DuplicateMCode, value);
+  if (!now_.failed) program_.mcodes.push_back(std::move(code));
 }
 
 }  // namespace plcxx::host50

@@ -1,6 +1,6 @@
-// SYMBOLS, predefined names, and what addresses and names stand for (specification 2.5, 2.6, 8).
+#include "transpiler/dialects/host50/parser/symbol_reader.h"
+
 #include "transpiler/dialects/host50/machine/signals.h"
-#include "transpiler/dialects/host50/parser/internal.h"
 #include "transpiler/source/characters.h"
 
 namespace plcxx::host50 {
@@ -18,7 +18,7 @@ QuotedName SplitQuoted(std::string_view text) {
 
 }  // namespace
 
-void Parser::ReadSymbolRow(const Line& line) {
+void SymbolReader::ReadSymbolRow(const Line& line) {
   const Token token = Peek();
   Symbol symbol{.range = line.range};
   bool bare = false;
@@ -60,8 +60,7 @@ void Parser::ReadSymbolRow(const Line& line) {
   if (!name.empty()) names_.emplace(name, id);
 }
 
-/// Names of the control's own signals that the program does not define itself.
-void Parser::AddPredefinedSymbols() {
+void SymbolReader::AddPredefinedSymbols() {
   for (const Signal& signal : Signals()) {
     if (names_.contains(signal.name) || poisoned_names_.contains(signal.name)) continue;
     names_.emplace(
@@ -71,14 +70,14 @@ void Parser::AddPredefinedSymbols() {
   }
 }
 
-SymbolId Parser::SymbolNamed(std::string_view name) {
+SymbolId SymbolReader::SymbolNamed(std::string_view name) {
   const auto found = names_.find(name);
   return found == names_.end() ? SymbolId() : found->second;
 }
 
-std::string Parser::RangesText(Area area) const { return RangesOf(area, program_.settings.channels); }
+std::string SymbolReader::RangesText(Area area) const { return RangesOf(area, program_.settings.channels); }
 
-Parser::Resolved Parser::ReadAddress() {
+SymbolReader::Resolved SymbolReader::ReadAddress() {
   const Token token = Take();
   if (token.kind == TokenKind::kAddress) return ResolveAddress(token);
   const std::string_view text = TextOf(token);
@@ -102,7 +101,7 @@ Parser::Resolved Parser::ReadAddress() {
 }
 
 /// A full-width sign right after an address is read as a part of it.
-void Parser::FaultOfAddressNumber(const Token& token) {
+void SymbolReader::FaultOfAddressNumber(const Token& token) {
   const std::string_view text = TextOf(token);
   for (size_t at = 0; at < text.size();) {
     const source::CodePoint point = source::FirstCodePoint(text.substr(at));
@@ -118,7 +117,7 @@ void Parser::FaultOfAddressNumber(const Token& token) {
   Fault(token.range, diag::Host50AddressNumber, text);
 }
 
-Parser::Resolved Parser::ResolveAddress(const Token& token) {
+SymbolReader::Resolved SymbolReader::ResolveAddress(const Token& token) {
   const std::string_view text = TextOf(token);
   const AddressText address = ReadAddressText(text, program_.settings.channels);
   switch (address.fault) {
@@ -146,14 +145,15 @@ Parser::Resolved Parser::ResolveAddress(const Token& token) {
 }
 
 /// I0 for %I0.
-bool Parser::IsAddressWithoutSign(std::string_view name) const {
+bool SymbolReader::IsAddressWithoutSign(std::string_view name) const {
   return ReadAddressText("%" + std::string(name), program_.settings.channels).fault == AddressFault::kNone;
 }
 
 /// In an expression `axis4-` is the name axis4 and a minus: the symbol that the text from here on spells, if one does.
-std::string Parser::SymbolWithSign(const Token& token) {
+std::string SymbolReader::SymbolWithSign(const Token& token) {
   constexpr size_t kLongest = 64;
-  const std::string_view line = std::string_view(source_->text).substr(token.range.begin - source_->base, kLongest);
+  const std::string_view line =
+      std::string_view(now_.source->text).substr(token.range.begin - now_.source->base, kLongest);
   for (size_t length = std::min(line.find_first_of(" \t,;'\"\r\n"), line.size()); length > 0; --length) {
     const std::string_view candidate = line.substr(0, length);
     const bool sign = candidate.find_first_of("+-/.#") != std::string_view::npos;
@@ -162,9 +162,10 @@ std::string Parser::SymbolWithSign(const Token& token) {
   return {};
 }
 
-Parser::Resolved Parser::ResolveName(const Token& token, std::string_view name, std::string_view attribute) {
+SymbolReader::Resolved SymbolReader::ResolveName(const Token& token, std::string_view name,
+                                                 std::string_view attribute) {
   if (poisoned_names_.contains(name)) {
-    failed_ = program_.faulty = true;  // reported where it is defined
+    now_.failed = program_.faulty = true;  // reported where it is defined
     return {};
   }
   const SymbolId symbol = SymbolNamed(name);

@@ -1,8 +1,7 @@
-// Operands by their roles (specification 3 and 6.2 to 6.8): type, direction, range.
+#include "transpiler/dialects/host50/parser/operand_reader.h"
+
 #include <bit>
 #include <limits>
-
-#include "transpiler/dialects/host50/parser/internal.h"
 
 namespace plcxx::host50 {
 namespace {
@@ -59,10 +58,12 @@ bool Suits(Type wanted, Type type) {
   return wanted == Type::kUnknown ? type == Type::kInteger || type == Type::kFloat : type == wanted;
 }
 
+bool IsFloat(const Operand& operand) { return operand.type == Type::kFloat; }
+
 }  // namespace
 
 /// E107. kUnknown: any number.
-void Parser::FaultOfType(Type wanted, source::Range range, std::string_view found) {
+void OperandReader::FaultOfType(Type wanted, source::Range range, std::string_view found) {
   switch (wanted) {
     case Type::kUnknown:
       Fault(range, diag::Host50NumberExpected, found);
@@ -86,7 +87,7 @@ void Parser::FaultOfType(Type wanted, source::Range range, std::string_view foun
   PLCXX_UNREACHABLE();
 }
 
-Operand Parser::ReadOperand(OperandRole role) {
+Operand OperandReader::ReadOperand(OperandRole role) {
   Operand operand{.role = role, .range = Peek().range};
   number_tokens_.push_back(AtNumber() ? Peek() : Token{});
   switch (role) {
@@ -138,16 +139,16 @@ Operand Parser::ReadOperand(OperandRole role) {
     case OperandRole::kAssignment:
       PLCXX_UNREACHABLE();  // no operands of their own
   }
-  if (failed_) operand.kind = OperandKind::kError;
+  if (now_.failed) operand.kind = OperandKind::kError;
   return operand;
 }
 
-bool Parser::ReadPlace(Operand& operand, std::string_view what) {
+bool OperandReader::ReadPlace(Operand& operand, std::string_view what) {
   if (!At(TokenKind::kAddress) && !At(TokenKind::kWord) && !At(TokenKind::kQuotedSymbol)) {
     FaultOfMissing(what);
     return false;
   }
-  const Resolved resolved = ReadAddress();
+  const SymbolReader::Resolved resolved = symbols_.ReadAddress();
   if (!resolved.ok) return false;
   operand.kind = OperandKind::kAddress;
   operand.address = resolved.address;
@@ -157,7 +158,7 @@ bool Parser::ReadPlace(Operand& operand, std::string_view what) {
 }
 
 /// A bare timer or counter is its .Q here. No text of the constants 0 and 1 but these.
-void Parser::ReadBit(Operand& operand) {
+void OperandReader::ReadBit(Operand& operand) {
   const Token token = Peek();
   const std::string_view text = TextOf(token);
   if (AtNumber()) {
@@ -178,7 +179,7 @@ void Parser::ReadBit(Operand& operand) {
   if (operand.type != Type::kBit) FaultOfType(Type::kBit, token.range, Described(Name(operand.type), text));
 }
 
-void Parser::ReadCoil(Operand& operand) {
+void OperandReader::ReadCoil(Operand& operand) {
   const Token token = Peek();
   const std::string_view text = TextOf(token);
   if (AtNumber()) {
@@ -195,7 +196,7 @@ void Parser::ReadCoil(Operand& operand) {
 }
 
 /// Of a number whose type is decided by another operand only the token is kept; SettleConstants does the rest.
-void Parser::ReadNumber(Operand& operand) {
+void OperandReader::ReadNumber(Operand& operand) {
   const Token token = Peek();
   const Type wanted = WantedBy(operand.role);
   if (!AtNumber()) {
@@ -216,7 +217,7 @@ void Parser::ReadNumber(Operand& operand) {
   }
 }
 
-void Parser::SetInteger(Operand& operand, const Token& token) {
+void OperandReader::SetInteger(Operand& operand, const Token& token) {
   const Integer integer = IntegerOf(token, TextOf(token));
   if (!integer.fits) Fault(token.range, diag::Host50IntegerRange, TextOf(token));
   operand.kind = OperandKind::kConstant;
@@ -224,7 +225,7 @@ void Parser::SetInteger(Operand& operand, const Token& token) {
   operand.bits = static_cast<uint32_t>(integer.value);
 }
 
-void Parser::SetFloat(Operand& operand, const Token& token) {
+void OperandReader::SetFloat(Operand& operand, const Token& token) {
   const auto bits = FloatBitsOf(token, TextOf(token));
   if (!bits) Fault(token.range, diag::Host50FloatRange, TextOf(token));
   operand.kind = OperandKind::kConstant;
@@ -232,7 +233,7 @@ void Parser::SetFloat(Operand& operand, const Token& token) {
   operand.bits = bits.value_or(0);
 }
 
-void Parser::CheckAxisNumber(const Operand& operand) {
+void OperandReader::CheckAxisNumber(const Operand& operand) {
   const int64_t first = program_.settings.axisbase == AxisBaseOption::kZero ? 0 : 1;
   const int64_t last = first + kAxes - 1;
   const auto number = static_cast<int32_t>(operand.bits);
@@ -241,7 +242,7 @@ void Parser::CheckAxisNumber(const Operand& operand) {
   }
 }
 
-void Parser::ReadResult(Operand& operand) {
+void OperandReader::ReadResult(Operand& operand) {
   const Token token = Peek();
   const std::string_view text = TextOf(token);
   const Type wanted = WantedBy(operand.role);
@@ -258,7 +259,7 @@ void Parser::ReadResult(Operand& operand) {
   }
 }
 
-void Parser::ReadField(Operand& operand) {
+void OperandReader::ReadField(Operand& operand) {
   const Token token = Peek();
   const std::string_view text = TextOf(token);
   const bool writes = Writes(operand.role);
@@ -278,7 +279,7 @@ void Parser::ReadField(Operand& operand) {
   }
 }
 
-void Parser::ReadBitCount(Operand& operand) {
+void OperandReader::ReadBitCount(Operand& operand) {
   const Token token = Peek();
   if (At(TokenKind::kEnd) || At(TokenKind::kComma) || IsBad(token.kind)) return FaultOfMissing(Name(operand.role));
   Take();
@@ -294,7 +295,7 @@ void Parser::ReadBitCount(Operand& operand) {
 }
 
 /// A timer or counter itself.
-void Parser::ReadInstance(Operand& operand) {
+void OperandReader::ReadInstance(Operand& operand) {
   const Token token = Peek();
   const std::string_view text = TextOf(token);
   const Type wanted = operand.role == OperandRole::kTimer ? Type::kTimer : Type::kCounter;
@@ -306,7 +307,7 @@ void Parser::ReadInstance(Operand& operand) {
   if (operand.type != wanted) FaultOfType(wanted, token.range, Described(Name(operand.type), text));
 }
 
-void Parser::ReadSubroutine(Operand& operand) {
+void OperandReader::ReadSubroutine(Operand& operand) {
   const Token token = Peek();
   if (At(TokenKind::kEnd) || IsBad(token.kind)) return FaultOfMissing(Name(operand.role));
   const std::string found = Found();
@@ -317,7 +318,7 @@ void Parser::ReadSubroutine(Operand& operand) {
     Fault(token.range, diag::Host50SubroutineNameExpected, found);
   } else if (*number > kGreatestLabel) {
     Fault(token.range, diag::Host50LabelRange, text);
-  } else if (const auto section = subroutines_.find(*number); section == subroutines_.end()) {
+  } else if (const auto section = parts_.subroutines.find(*number); section == parts_.subroutines.end()) {
     Fault(token.range, diag::Host50UndefinedSubroutine, text);
   } else {
     operand.kind = OperandKind::kSubroutine;
@@ -325,7 +326,7 @@ void Parser::ReadSubroutine(Operand& operand) {
   }
 }
 
-void Parser::ReadJumpTarget(Operand& operand) {
+void OperandReader::ReadJumpTarget(Operand& operand) {
   const Token token = Peek();
   if (At(TokenKind::kEnd) || IsBad(token.kind)) return FaultOfMissing(Name(operand.role));
   const std::string found = Found();
@@ -336,16 +337,15 @@ void Parser::ReadJumpTarget(Operand& operand) {
     Fault(token.range, diag::Host50JumpTargetExpected, found);
   } else if (*number > kGreatestLabel) {
     Fault(token.range, diag::Host50LabelRange, text);
-  } else if (const auto network = labels_.find({section_, *number}); network != labels_.end()) {
+  } else if (const auto network = parts_.labels.find({now_.section, *number}); network != parts_.labels.end()) {
     operand.kind = OperandKind::kNetwork;
     operand.network = network->second;
-  } else if (program_.sections[section_].kind != SectionKind::kNone) {
+  } else if (program_.sections[now_.section].kind != SectionKind::kNone) {
     Fault(token.range, diag::Host50UndefinedLabel, text);
   }
 }
 
-/// Of TON, TOF and TP without a unit in their names.
-void Parser::ReadUnit(Instruction& instruction) {
+void OperandReader::ReadUnit(Instruction& instruction) {
   const Token token = Peek();
   if (At(TokenKind::kEnd) || At(TokenKind::kComma) || IsBad(token.kind)) {
     return FaultOfMissing(Name(OperandRole::kUnit));
@@ -358,12 +358,33 @@ void Parser::ReadUnit(Instruction& instruction) {
 }
 
 /// The text of a REMARK may be empty.
-void Parser::ReadText(Operand& operand) {
+void OperandReader::ReadText(Operand& operand) {
   operand.kind = OperandKind::kText;
   if (At(TokenKind::kText) || At(TokenKind::kString)) {
     Take();
   } else if (!At(TokenKind::kEnd)) {
     FaultOfMissing(Name(operand.role));
+  }
+}
+
+void OperandReader::SettleConstants(Instruction& instruction) {
+  Operand* operands = program_.operands.data() + instruction.operands.first;
+  const uint32_t count = instruction.operands.count;
+  const bool float_beside = std::any_of(operands, operands + count, IsFloat);
+  for (uint32_t i = 0; i < count; ++i) {
+    Operand& operand = operands[i];
+    if (operand.role != OperandRole::kNumberSource || operand.kind != OperandKind::kConstant) continue;
+    float_beside ? SetFloat(operand, number_tokens_[i]) : SetInteger(operand, number_tokens_[i]);
+  }
+  if (count == 0 || operands[count - 1].kind != OperandKind::kCount) return;
+  const uint32_t bits = operands[count - 1].bits;
+  const Operand* field = std::find_if(operands, operands + count, [](const Operand& operand) {
+    return operand.role == OperandRole::kFieldSource || operand.role == OperandRole::kFieldResult;
+  });
+  for (uint32_t bit = 0; bit < bits; ++bit) {
+    if (Exists(field->address.area, field->address.number + bit, program_.settings.channels)) continue;
+    Fault(field->range, diag::Host50BitField, TextOf(field->range), bits);
+    return;
   }
 }
 

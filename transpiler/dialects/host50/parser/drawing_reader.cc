@@ -1,14 +1,13 @@
-// Drawings: what stands in the brackets becomes instructions, in the order of evaluation (specification 3.6).
-#include "transpiler/dialects/host50/parser/internal.h"
+#include "transpiler/dialects/host50/parser/drawing_reader.h"
 
 namespace plcxx::host50 {
 
-uint32_t Parser::ReadDrawing(const Body& body, uint32_t first, std::vector<source::Range>& comments) {
+uint32_t DrawingReader::ReadDrawing(const Body& body, uint32_t first, std::vector<source::Range>& comments) {
   Drawing drawing;
   std::vector<std::vector<source::Range>> above;  // comments, by row
   uint32_t line = first;
   for (; line < body.last && files_[body.file].lines[line].kind == LineKind::kRow; ++line) {
-    AddRow(*source_, files_[body.file].lines[line].range, drawing, diagnostics_);
+    AddRow(*now_.source, files_[body.file].lines[line].range, drawing, diagnostics_);
     DrawnRow& row = drawing.rows.back();
     if (row.cells.empty() && row.comment.end > row.comment.begin) comments.push_back(row.comment);
     above.emplace_back();
@@ -31,8 +30,8 @@ uint32_t Parser::ReadDrawing(const Body& body, uint32_t first, std::vector<sourc
 }
 
 /// To the first action of each row, or to its first element.
-void Parser::AddRowComments(const Drawing& drawing, const std::vector<std::vector<source::Range>>& above,
-                            std::vector<Instruction>& instructions) {
+void DrawingReader::AddRowComments(const Drawing& drawing, const std::vector<std::vector<source::Range>>& above,
+                                   std::vector<Instruction>& instructions) {
   std::vector<size_t> bearers(drawing.rows.size(), instructions.size());
   std::vector<bool> is_action(drawing.rows.size());
   for (size_t i = 0; i < instructions.size(); ++i) {
@@ -54,7 +53,7 @@ void Parser::AddRowComments(const Drawing& drawing, const std::vector<std::vecto
 }
 
 /// In the order of evaluation; without one, in rows.
-void Parser::AddElements(const std::optional<Wiring>& wiring, const std::vector<Instruction>& instructions) {
+void DrawingReader::AddElements(const std::optional<Wiring>& wiring, const std::vector<Instruction>& instructions) {
   program_.statement_count += static_cast<uint32_t>(instructions.size());
   if (!wiring) {
     for (const Instruction& instruction : instructions) program_.instructions.Add(instruction);
@@ -76,19 +75,19 @@ void Parser::AddElements(const std::optional<Wiring>& wiring, const std::vector<
   }
 }
 
-void Parser::ReadElement(const DrawnElement& element, Instruction& instruction) {
+void DrawingReader::ReadElement(const DrawnElement& element, Instruction& instruction) {
   const ElementKind kind = element.bracket == '{' ? ElementKind::kBlock : ElementKind::kContactOrCoil;
-  const std::vector<Token> tokens = LexElement(*source_, element.contents, kind);
+  const std::vector<Token> tokens = LexElement(*now_.source, element.contents, kind);
   instruction.range = element.range;
   Begin(tokens, element.contents);
   kind == ElementKind::kBlock ? ReadDrawnBlock(instruction) : ReadContactOrCoil(element, instruction);
-  instruction.faulty = failed_;
+  instruction.faulty = now_.failed;
   Begin(std::span<const Token>(), element.range);  // the tokens end here
-  failed_ = instruction.faulty;
+  now_.failed = instruction.faulty;
 }
 
 /// A letter is a prefix only when a blank and a further word follow it.
-void Parser::ReadContactOrCoil(const DrawnElement& element, Instruction& instruction) {
+void DrawingReader::ReadContactOrCoil(const DrawnElement& element, Instruction& instruction) {
   const Token first = Peek(), next = Peek(1);
   char prefix = ' ';
   if (first.kind == TokenKind::kSlash) {
@@ -100,10 +99,10 @@ void Parser::ReadContactOrCoil(const DrawnElement& element, Instruction& instruc
   if (prefix != ' ') Take();
   instruction.op = *DrawnOp(element.bracket, prefix);
   instruction.mnemonic = {element.range.begin, prefix == ' ' ? element.range.begin + 1 : first.range.end};
-  ReadOperands(instruction, Setting::kDrawing);
+  instructions_.ReadOperands(instruction, Setting::kDrawing);
 }
 
-void Parser::ReadDrawnBlock(Instruction& instruction) {
+void DrawingReader::ReadDrawnBlock(Instruction& instruction) {
   const Token token = Peek();
   instruction.mnemonic = token.range;
   const auto mnemonic = token.kind == TokenKind::kWord ? MnemonicByName(TextOf(token)) : std::nullopt;
@@ -115,7 +114,7 @@ void Parser::ReadDrawnBlock(Instruction& instruction) {
   Take();
   instruction.op = mnemonic->op;
   instruction.unit = mnemonic->unit.value_or(TimerUnit::kHundredMs);
-  ReadOperands(instruction, Setting::kDrawing);
+  instructions_.ReadOperands(instruction, Setting::kDrawing);
 }
 
 }  // namespace plcxx::host50

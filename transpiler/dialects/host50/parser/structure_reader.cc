@@ -1,0 +1,178 @@
+#include "transpiler/dialects/host50/parser/structure_reader.h"
+
+namespace plcxx::host50 {
+namespace {
+
+constexpr std::string_view kNetwork = "NETWORK";
+constexpr std::string_view kDirectives[] = {"SLOWDIV", "CHANNELS", "OPTION"};
+
+bool IsSection(PartKind part) { return part == PartKind::kFast || part == PartKind::kSlow || part == PartKind::kSub; }
+
+/// A part that begins at top level.
+std::optional<PartKind> Opener(std::string_view word) {
+  const auto part = PartByName(word);
+  return part == PartKind::kLadder ? std::nullopt : part;
+}
+
+bool IsDirective(std::string_view word) {
+  for (const std::string_view directive : kDirectives) {
+    if (EqualIgnoringCase(directive, word)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Parts StructureReader::ReadStructure() {
+  for (uint32_t file = 0; file < files_.size(); ++file) {
+    EnterFile(file);
+    sections_.ForgetComments();
+    for (line_ = 0; !AtEndOfFile();) ReadTopLevelLine();
+  }
+  return std::move(parts_);
+}
+
+bool StructureReader::AtNextPart() { return AtEndOfFile() || Opener(WordOf(CurrentLine())); }
+
+void StructureReader::ReadTopLevelLine() {
+  Line& line = CurrentLine();
+  if (line.kind == LineKind::kBlank || line.kind == LineKind::kComment) {
+    if (line.kind == LineKind::kComment) sections_.AddComment(line.comment);
+    ++line_;
+    return;
+  }
+  const std::string_view word = WordOf(line);
+  if (const auto part = Opener(word)) {
+    IsSection(*part) ? ReadSection(*part) : ReadTable(*part);
+  } else if (IsDirective(word)) {
+    sections_.ForgetComments();
+    parts_.directives.push_back({now_.file, line_++});
+  } else if (PartByEnd(word)) {
+    Begin(line);
+    Fault(Peek().range, diag::Host50UnexpectedEnd, word, "closes nothing");
+    sections_.ForgetComments();
+    ++line_;
+  } else {
+    ReadStray();
+  }
+}
+
+void StructureReader::ReadTable(PartKind part) {
+  sections_.ForgetComments();
+  const source::Range opening = CurrentLine().range;
+  Begin(CurrentLine());
+  Take();
+  ExpectEnd();
+  TablePart table{.part = part, .file = now_.file, .first = ++line_};
+  for (bool open = true; open; ++line_) {
+    if (AtNextPart()) {
+      Report(opening, diag::Host50MissingEnd, Name(part));
+      break;
+    }
+    Line& line = CurrentLine();
+    const std::string_view word = WordOf(line);
+    const auto end = PartByEnd(word);
+    if (end) line.consumed = true;
+    if (end == part) {
+      ReadEnd();
+      open = false;
+    } else if (end) {
+      open = !ReadWrongEnd(part);
+    } else if (IsDirective(word)) {
+      ReportDirectiveInside(part);
+    }
+  }
+  table.last = line_;
+  parts_.tables.push_back(table);
+}
+
+void StructureReader::ReadEnd() {
+  Begin(CurrentLine());
+  Take();
+  ExpectEnd();
+}
+
+void StructureReader::ReportDirectiveInside(PartKind part) {
+  CurrentLine().consumed = true;
+  Begin(CurrentLine());
+  std::string word(TextOf(Peek()));
+  for (char& c : word) c = Upper(c);
+  Fault(Peek().range, diag::Host50DirectiveInside, word, Name(part));
+}
+
+/// What was found once holds up to there: thousands of wrong ends would each look through the rest of the file.
+bool StructureReader::EndsLater(PartKind part) {
+  if (ahead_.file == now_.file && ahead_.part == part && ahead_.from <= line_ && line_ < ahead_.line)
+    return ahead_.ends;
+  const LexedFile& file = files_[now_.file];
+  ahead_ = {now_.file, part, line_, line_ + 1, false};
+  for (; ahead_.line < file.lines.size(); ++ahead_.line) {
+    const std::string_view word = WordOf(file.lines[ahead_.line]);
+    ahead_.ends = PartByEnd(word) == part;
+    if (ahead_.ends || Opener(word)) break;
+  }
+  return ahead_.ends;
+}
+
+bool StructureReader::ReadWrongEnd(PartKind part) {
+  Begin(CurrentLine());
+  const std::string open = "does not close " + std::string(Name(part));
+  Fault(Peek().range, diag::Host50UnexpectedEnd, TextOf(Peek()), open);
+  return !EndsLater(part);
+}
+
+void StructureReader::ReadSection(PartKind part) {
+  const source::Range opening = CurrentLine().range;
+  const SectionId id = sections_.OpenSection(part, CurrentLine());
+  ++line_;
+  for (bool open = true; open; ++line_) {
+    if (AtNextPart()) {
+      sections_.CloseBody(line_);
+      Report(opening, diag::Host50MissingEnd, Name(part));
+      break;
+    }
+    Line& line = CurrentLine();
+    const std::string_view word = WordOf(line);
+    const auto end = PartByEnd(word);
+    if (end == part) {
+      sections_.CloseBody(line_);
+      program_.sections[id].end_comments = sections_.TakeComments(line);
+      ReadEnd();
+      open = false;
+    } else if (end && end != PartKind::kLadder) {
+      sections_.CloseLadder();
+      line.consumed = true;
+      open = !ReadWrongEnd(part);
+      if (!open) sections_.CloseBody(line_);
+    } else if (IsDirective(word)) {
+      ReportDirectiveInside(part);
+    } else if (EqualIgnoringCase(word, kNetwork)) {
+      sections_.CloseBody(line_);
+      sections_.OpenNetwork(id, line, line_);
+    } else {
+      sections_.TakeBodyLine(id, line, line_);
+    }
+  }
+}
+
+void StructureReader::ReadStray() {
+  const SectionId id = sections_.OpenStraySection(CurrentLine());
+  bool reported = false;
+  for (; !AtEndOfFile(); ++line_) {
+    Line& line = CurrentLine();
+    const std::string_view word = WordOf(line);
+    const auto end = PartByEnd(word);
+    if (Opener(word) || IsDirective(word) || (end && end != PartKind::kLadder)) break;
+    if (!EqualIgnoringCase(word, kNetwork)) {
+      sections_.TakeBodyLine(id, line, line_);
+      continue;
+    }
+    sections_.CloseBody(line_);
+    Begin(line);
+    if (!std::exchange(reported, true)) Fault(line.range, diag::Host50OutsideSection);
+    sections_.OpenStrayNetwork(id, line, line_ + 1);
+  }
+  sections_.CloseBody(line_);
+}
+
+}  // namespace plcxx::host50
