@@ -157,7 +157,17 @@ def check_table():
     assert text.splitlines()[-1].split() == ["all", "5", "5", "2", "1", "1", "1", "50.0"], text
 
 
+def check_choice():
+    made = [Row(number, f"transpiler/emit/{name}.cc | F | + to - | {number}") for number, name in enumerate("abab")]
+    for row in made:
+        row.folder = "emit"
+    chosen = [[row.id for row in mutants.choose(made, ["emit"], *more)] for more in ((0, 1), (0, 1, ["b.cc"]), (1, 1, ["a.", "c."]))]
+    assert chosen[:2] == [[0, 1, 2, 3], [1, 3]] and chosen[2] in ([0], [2]), chosen
+    assert not mutants.choose(made, ["hnc"], 0, 1)
+
+
 def main():
+    check_choice()
     check_stages()
     check_random_runs()
     check_table()

@@ -33,6 +33,7 @@ a line (file | function | kind | text; ** stands for anything), its reason below
 
   dev/mutants --folder nc110                 every mutant of nc110's lowering
   dev/mutants --sample 200 --seed 7          200 of each folder
+  dev/mutants --folder emit --file chunks    those of cut_chunks.cc
   dev/mutants --folder hnc --open            those that open.txt has: do the tests kill them by now?
   dev/mutants --one 4711                     one, with what each test says
   dev/mutants --list survived                keys, files and lines of what survived; also: 'not reached', killed
@@ -86,10 +87,11 @@ def read_results():
     return results
 
 
-def choose(mutants, folders, sample, seed):
+def choose(mutants, folders, sample, seed, files=()):
     chosen = []
     for folder in folders:
-        of_folder = [mutant for mutant in mutants if mutant.folder == folder]
+        of_folder = [mutant for mutant in mutants
+                     if mutant.folder == folder and (not files or any(part in mutant.file for part in files))]
         if sample and sample < len(of_folder):
             of_folder = sorted(random.Random(seed).sample(of_folder, sample), key=lambda mutant: mutant.id)
         chosen += of_folder
@@ -165,6 +167,7 @@ def main():
     parser = argparse.ArgumentParser(prog="dev/mutants", description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--folder", action="append", choices=list(prepare.FOLDERS), help="only these are changed and looked at; may be repeated")
+    parser.add_argument("--file", action="append", metavar="PART", help="only those of files with this in their path; may be repeated")
     parser.add_argument("--sample", type=int, default=0, metavar="N", help="N mutants of each folder, chosen by the seed")
     parser.add_argument("--seed", type=int, default=1, help="of the sample (1)")
     parser.add_argument("--jobs", type=int, default=2, help="mutants that are tested at a time (2)")
@@ -202,7 +205,7 @@ def main():
             return 2
         show_one(found[0], judged)
         return 0
-    chosen = choose(mutants, folders, wanted.sample, wanted.seed)
+    chosen = choose(mutants, folders, wanted.sample, wanted.seed, wanted.file or ())
     if wanted.open:
         waiting = set(OPEN.read_text().splitlines())
         chosen = [mutant for mutant in chosen if mutant.key in waiting]

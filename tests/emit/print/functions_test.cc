@@ -181,6 +181,22 @@ TEST(Functions, HaveAVariableOfTheResultWhereItIsNamed) {
   EXPECT_EQ(ResultFunction("stmt s1\n%0 = load count\nstore result %0\n"), "  return count;\n");
 }
 
+// One arm is left early with what the variable has, though the other one returns a value at once.
+TEST(Functions, HaveAVariableOfTheResultForAnArmThatIsLeftEarly) {
+  const std::string text = ResultFunction(
+      "%0 = load a\nif %0 jumps {\n%8 = load b\nstore a %8\n} else {\nstmt s2\n%1 = load count\nstore result %1\n}\n");
+  EXPECT_THAT(text, HasSubstr("uint8_t result = 0;\n"));
+  EXPECT_THAT(text, HasSubstr("return result;\n"));
+  EXPECT_THAT(text, HasSubstr("  return count;\n"));
+}
+
+// A value stored where it was is no other result.
+TEST(Functions, ReturnTheVariableThatIsStoredInItself) {
+  const std::string text = ResultFunction("%0 = load result\nstore result %0\n");
+  EXPECT_THAT(text, HasSubstr("static_cast<void>(result);\n"));
+  EXPECT_THAT(text, HasSubstr("return result;\n"));
+}
+
 // An arm without instructions gives what was there before.
 TEST(Functions, GiveTheFirstValueWhereAnArmIsEmpty) {
   const std::string text = ResultFunction("%0 = load a\nif %0 {\n} else {\n%1 = load count\nstore result %1\n}\n");
@@ -204,6 +220,14 @@ TEST(Functions, GiveWhatAHostFunctionHasPutThere) {
       "routine fast fast {\n body {\n %1 = call f ()\n store W %1\n }\n}\n");
   EXPECT_THAT(text, HasSubstr("  uint8_t result = 0;\n"));
   EXPECT_THAT(text, HasSubstr("return result;\n"));
+  // The variable is there also where another value is returned in the end.
+  const std::string other = PrintAll(
+      "place result i8 locals[1]\nhost read (index : i32) -> i16 out value : i8\n"
+      "routine f subroutine -> i8 result {\n body {\n %0 = const i32 1\n %1 = host read (%0) out result\n stmt s1\n"
+      " %2 = load W\n store result %2\n }\n}\n"
+      "routine fast fast {\n body {\n %1 = call f ()\n store W %1\n }\n}\n");
+  EXPECT_THAT(other, HasSubstr("  uint8_t result = 0;\n"));
+  EXPECT_THAT(other, HasSubstr("return m[W];\n"));
 }
 
 // Blank lines part what belongs together, one at a time.
@@ -216,7 +240,7 @@ TEST(Functions, AreInAHeaderOfParagraphs) {
   std::string header;
   for (const OutputFile& file : PrintCpp(legalize::Legalize(program, {.name = "p"}), sources))
     if (file.name.ends_with(".hpp")) header = file.text;
-  EXPECT_THAT(header, HasSubstr("struct Host;\nstruct State;\n"));
+  EXPECT_THAT(header, HasSubstr("struct Host;\nstruct State;\n\n/// stops\n"));
   EXPECT_THAT(header, HasSubstr("/// stops\nvoid stop(Host& host, uint32_t index) noexcept;\n\n"));
   EXPECT_THAT(header, HasSubstr("void fast(State& m, Host& host) noexcept;\n\n"));
   EXPECT_THAT(header, HasSubstr("    {3, 1, \"x\"},\n};\n\nstruct t_row {\n  uint16_t n;\n  const char* name;\n};\n"
