@@ -68,6 +68,25 @@ TEST_F(Why, ATimerSaysWhatIsLeft) {
               AllOf(HasSubstr("I0A6 is 0: as at power-on"), Not(HasSubstr("ms left"))));
 }
 
+// What an edge has of the scan before is told, not what this scan left in it, and in words that are a sentence.
+TEST_F(Why, AnEdgeSaysWhatItHadBefore) {
+  work.Write("edge.il", "SLOW\nNETWORK\nLDP %I0\nOUT %Q0\nEND_SLOW\n");
+  const auto ask = [&](const std::string& steps) {
+    work.Write("e.yaml", "dialect: host50\nsources: [edge.il]\nsteps:\n" + steps);
+    return work.Run("why --scenario e.yaml Q0").out;
+  };
+  const std::string rises = "- run: {slow: 1}\n- set: {I0: 1}\n- run: {slow: 1}\n";
+  EXPECT_THAT(ask(rises), AllOf(HasSubstr("Q0 is 1"), HasSubstr("I0_edge had 0: kept"), Not(HasSubstr("is was"))));
+  EXPECT_THAT(ask(rises + "- run: {slow: 1}\n"), AllOf(HasSubstr("Q0 is 0"), HasSubstr("I0_edge had 1: kept")));
+}
+
+TEST_F(Why, ACounterSaysWhatItHadBefore) {
+  work.Write("count.il", "SLOW\nNETWORK\nLD %I0\nCNUD %C1, 2, P=0, M=0, N=0\nOUT %Q0\nEND_SLOW\n");
+  work.Write("c.yaml",
+             "dialect: host50\nsources: [count.il]\nsteps:\n- run: {slow: 1}\n- set: {I0: 1}\n- run: {slow: 1}\n");
+  EXPECT_THAT(work.Run("why --scenario c.yaml Q0").out, HasSubstr("C1 had value 0, preset 2"));
+}
+
 TEST_F(Why, ForcedAndSetSignals) {
   EXPECT_THAT(Ask("- force: {U4A8: 1}\n- run: {slow: 1}\n", "U4A8").out, HasSubstr("U4A8 is 1 at 0 ms: forced"));
   EXPECT_THAT(Ask("- set: {I0A6: 1}\n- run: {slow: 1}\n", "I0A6").out,

@@ -162,6 +162,7 @@ class Builder {
       condition.kind = ConditionKind::kAnswer;
       condition.name = condition.label = key.function;
       condition.text = std::to_string(part_.Value(members.front().term));
+      condition.predicate = "is " + condition.text;
       if (std::ranges::find(explanation_.answers, key.function) == explanation_.answers.end()) {
         explanation_.answers.push_back(key.function);
       }
@@ -216,6 +217,40 @@ class Builder {
 
   /// What the condition is about, and what it is.
   void Name(const GroupKey& key, const std::vector<Member>& members, Condition& condition) const {
+    if (key.owner == Owner::kInstance) return NameInstance(key, members, condition);
+    NamePlace(key, members, condition);
+    condition.predicate = "is " + condition.text;
+  }
+
+  void NameInstance(const GroupKey& key, const std::vector<Member>& members, Condition& condition) const {
+    const ir::StateId state(key.id);
+    const ir::Place* exact = members.size() == 1 ? subject_.names.ExactPlace(members.front().variable->cell) : nullptr;
+    condition.name = exact != nullptr ? subject_.names.NameOf(*exact) : program_.states[state].name;
+    condition.label = exact != nullptr ? ir::SourceName(*exact) : program_.states[state].name;
+    const auto add = [&](const std::string& text, const std::string& predicate) {
+      condition.text += (condition.text.empty() ? "" : "; ") + text;
+      condition.predicate += (condition.predicate.empty() ? "" : " and ") + predicate;
+    };
+    const bool before = key.kind == VariableKind::kBefore;
+    if (exact != nullptr) {
+      const std::string value = sim::ValueDigits(exact->type, part_.Value(members.front().term));
+      add(value, "is " + value);
+    } else if (!before) {
+      const bool one = HasOneField(program_.states[state].kind);
+      const std::string fields = FieldsText(state, members);
+      add(fields, one ? "is " + std::to_string(part_.Value(members.front().term)) : "has " + fields);
+    }
+    if (!before) return;
+    // A timer's time is that of the moment that is asked about; of everything else what decided was there before.
+    const sim::Instances& then =
+        IsTimer(program_.states[state].kind) ? frame_.after.instances : frame_.before.instances;
+    const std::string kept = InstanceText(program_, state, then);
+    const std::string predicate = InstancePredicate(program_, state, then);
+    if (exact == nullptr || !HasOneField(program_.states[state].kind)) return add(kept, predicate);
+    condition.text += "; " + kept;
+  }
+
+  void NamePlace(const GroupKey& key, const std::vector<Member>& members, Condition& condition) const {
     const auto value_of = [this](const Member& member) { return part_.Value(member.term); };
     switch (key.owner) {
       case Owner::kBit: {
@@ -237,20 +272,7 @@ class Builder {
             execute::CellName(program_, execute::CellAt(program_, subject_.cells, members.front().variable->cell));
         condition.text = std::to_string(value_of(members.front()));
         return;
-      case Owner::kInstance: {
-        const ir::StateId state(key.id);
-        const ir::Place* exact =
-            members.size() == 1 ? subject_.names.ExactPlace(members.front().variable->cell) : nullptr;
-        condition.name = exact != nullptr ? subject_.names.NameOf(*exact) : program_.states[state].name;
-        condition.label = exact != nullptr ? ir::SourceName(*exact) : program_.states[state].name;
-        if (exact != nullptr) condition.text = sim::ValueDigits(exact->type, value_of(members.front()));
-        if (exact == nullptr && key.kind != VariableKind::kBefore) condition.text = FieldsText(state, members);
-        if (key.kind == VariableKind::kBefore) {
-          condition.text +=
-              (condition.text.empty() ? "" : "; ") + InstanceText(program_, state, frame_.after.instances);
-        }
-        return;
-      }
+      case Owner::kInstance:
       case Owner::kHostFunction:
         return;
     }
@@ -310,6 +332,7 @@ class Builder {
     const Condition& before = explanation_.conditions[*itself];
     root.kind = before.kind;
     root.text = before.text;
+    root.predicate = before.predicate;
     root.last_write = before.last_write;
     root.is_internal = before.is_internal;
     root.because.erase(itself);

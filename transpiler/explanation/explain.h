@@ -30,9 +30,10 @@ enum class ConditionKind : uint8_t {
 
 struct Condition {
   ConditionKind kind{};
-  std::string name;   // "U4A8 (COOLANT: coolant pump)"
-  std::string label;  // "U4A8"
-  std::string text;   // the value as it is read: "1", "18", "0 in bits 1 2"; of kState what it has kept
+  std::string name;       // "U4A8 (COOLANT: coolant pump)"
+  std::string label;      // "U4A8"
+  std::string text;       // the value as it is read: "1", "18", "0 in bits 1 2"; of kState what it has kept
+  std::string predicate;  // what a sentence says of the name: "is 1", "has run 20 of 3000 ms, 2980 ms left"
   std::vector<execute::CellId> cells;
   ir::StatementId statement;  // of kWritten; none: the control's own schedule
   std::optional<sim::LastWrite> last_write;

@@ -56,13 +56,15 @@ std::optional<uint64_t> PresetMs(const ir::Program& program, ir::StateId state, 
   return unit * ir::ConstantValue(preset);
 }
 
-std::string FieldsText(ir::StateKind kind, uint32_t instance, const sim::Instances& instances) {
+bool IsShown(const ir::FieldInfo& field) { return !field.hidden && field.count == 1; }
+
+std::string FieldsText(ir::StateKind kind, uint32_t instance, const sim::Instances& instances, bool with_names) {
   std::string text;
   const auto fields = ir::Info(kind).fields;
   const auto count = static_cast<uint8_t>(fields.size());
   for (uint8_t field = 0; field < count; ++field) {
-    if (fields[field].hidden || fields[field].count != 1) continue;
-    text += (text.empty() ? "" : ", ") + std::string(fields[field].name) + " " +
+    if (!IsShown(fields[field])) continue;
+    text += (text.empty() ? "" : ", ") + (with_names ? std::string(fields[field].name) + " " : "") +
             sim::ValueDigits(fields[field].type, instances.Read(instance, field));
   }
   return text;
@@ -81,7 +83,43 @@ std::string InstanceText(const ir::Program& program, ir::StateId state, const si
     const std::optional<uint64_t> preset = PresetMs(program, state, instances);
     return preset ? OfTime(elapsed, *preset) : std::to_string(elapsed) + " ms elapsed";
   }
-  return FieldsText(kind, state.index, instances);
+  return FieldsText(kind, state.index, instances, true);
 }
+
+std::string InstancePredicate(const ir::Program& program, ir::StateId state, const sim::Instances& instances) {
+  const ir::StateKind kind = program.states[state].kind;
+  const std::string text = InstanceText(program, state, instances);
+  switch (kind) {
+    case ir::StateKind::kTimeWordTimer: {
+      const bool running = instances.Read(state.index, ir::FieldIndex(kind, "running")) != 0;
+      return (running ? "has " : "is ") + text;
+    }
+    case ir::StateKind::kOnDelayTimer:
+    case ir::StateKind::kUnitTimer:
+      return "has run " +
+             (PresetMs(program, state, instances)
+                  ? text
+                  : std::to_string(instances.Read(state.index, ir::FieldIndex(kind, "elapsed_ms"))) + " ms");
+    case ir::StateKind::kRingCounter:
+    case ir::StateKind::kOneShot:
+    case ir::StateKind::kTextFlag:
+    case ir::StateKind::kTextInbox:
+    case ir::StateKind::kDecadeCounter:
+    case ir::StateKind::kEdgeMemory:
+    case ir::StateKind::kPositionCounter:
+    case ir::StateKind::kAxisRequest:
+      break;
+  }
+  if (text.empty()) return "is as the scan before left it";
+  // Of one field alone the name says nothing: what an edge has kept is called "was".
+  return "had " + FieldsText(kind, state.index, instances, !HasOneField(kind));
+}
+
+bool IsTimer(ir::StateKind kind) {
+  return kind == ir::StateKind::kTimeWordTimer || kind == ir::StateKind::kOnDelayTimer ||
+         kind == ir::StateKind::kUnitTimer;
+}
+
+bool HasOneField(ir::StateKind kind) { return std::ranges::count_if(ir::Info(kind).fields, IsShown) == 1; }
 
 }  // namespace plcxx::explanation

@@ -10,5 +10,12 @@ namespace plcxx::explanation {
 
 /// "1200 of 3000 ms, 1800 ms left"; of what is no timer its fields: "count 3, input 1".
 std::string InstanceText(const ir::Program& program, ir::StateId state, const sim::Instances& instances);
+/// The same with its verb, so that a sentence can begin with the instance's name: "has run 20 of 3000 ms, 2980 ms
+/// left", "is not running", "had count 5, input 1"; of an edge, which is one bit, "had 1".
+std::string InstancePredicate(const ir::Program& program, ir::StateId state, const sim::Instances& instances);
+/// Whether it shows how long it has run, and what is left.
+bool IsTimer(ir::StateKind kind);
+/// Whether it shows one field only, which then is the instance.
+bool HasOneField(ir::StateKind kind);
 
 }  // namespace plcxx::explanation

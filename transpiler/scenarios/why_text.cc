@@ -59,7 +59,7 @@ class Writer {
     }
     ++lines_;
     const Condition& condition = conditions_[number];
-    text_ += std::string(std::min(indent, kMaxIndent), ' ') + condition.name + " is " + condition.text + ": ";
+    text_ += std::string(std::min(indent, kMaxIndent), ' ') + condition.name + " " + condition.predicate + ": ";
     if (shown_[number]) {
       text_ += "see above\n";
       return;
