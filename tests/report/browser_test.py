@@ -53,7 +53,20 @@ def layout(browser, page, name):
                 a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
         }).length""")
         check(over == 0, f"{name}: {over} rows whose cells overlap at {width} pixels")
-    check(browser.evaluate("document.querySelectorAll('.row svg.ladder').length") > 50, name + ": hardly any ladder")
+
+
+def long_names(browser, plcxx, root, directory):
+    """Names of programs and files have no blanks where a line could end; and the language whose ladder is drawn whole."""
+    stem = "lathe_with_turret_and_hydraulic_chuck_2026_as_delivered_and_repaired"
+    source = os.path.join(directory, stem + ".plc")
+    with open(source, "w", encoding="utf-8") as file:
+        file.write("$\nU4A8=I0A3*/I0A4\n")
+    turret = os.path.join(root, "samples/classicladder/turret/turret.clp")
+    for name, path in ((stem, source), ("turret", turret)):
+        ran = subprocess.run([plcxx, "report", "--name", name, "-o", directory, path], capture_output=True, text=True,
+                             check=False)
+        check(ran.returncode == 0, f"{name}: plcxx report gives {ran.returncode}\n{ran.stderr}")
+        layout(browser, os.path.join(directory, name + ".html"), name)
 
 
 def links(browser, page, name):
@@ -185,7 +198,10 @@ def main():
         with Browser(chromium or "chromium", os.path.join(directory, "profile")) as browser:
             for sample, page in pages.items():
                 layout(browser, page, sample)
+                check(browser.evaluate("document.querySelectorAll('.row svg.ladder').length") > 50,
+                      sample + ": hardly any ladder")
                 links(browser, page, sample)
+            long_names(browser, plcxx, root, directory)
             first = pages[SAMPLES[0]]
             search(browser, first)
             keyboard_and_mouse(browser, first)

@@ -6,6 +6,7 @@
 #include "transpiler/ir/zones.h"
 #include "transpiler/report/html.h"
 #include "transpiler/report/page_parts.h"
+#include "transpiler/support/counted.h"
 
 namespace plcxx::report {
 namespace {
@@ -219,8 +220,9 @@ void AppendFile(const View& view, const GeneratedFile& file, std::string& out) {
 void AppendOverview(const View& view, std::string& out) {
   const ir::Program& program = *view.input.program;
   out += "<section id=\"overview\" aria-labelledby=\"h-overview\">\n<h2 id=\"h-overview\">Overview</h2>\n<p>" +
-         std::to_string(program.statements.size()) + " statements, " + std::to_string(view.uses.signals.size()) +
-         " signals, " + std::to_string(program.states.size()) + " timers, counters and edges. Dialect " +
+         support::Counted(program.statements.size(), "statement") + ", " +
+         support::Counted(view.uses.signals.size(), "signal") + ", " + std::to_string(program.states.size()) +
+         (program.states.size() == 1 ? " timer, counter or edge" : " timers, counters and edges") + ". Dialect " +
          Escape(program.dialect) + ".</p>\n";
   AppendBudget(view, out);
   AppendDearest(view, out);
