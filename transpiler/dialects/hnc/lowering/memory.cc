@@ -253,10 +253,9 @@ void Memory::AddVariables() {
   }
 }
 
-ir::PlaceId Memory::AddScalar(std::string name, ir::Type type, uint64_t initial) {
+ir::PlaceId Memory::AddScalar(std::string name, ir::Type type) {
   const uint32_t offset = system_bytes_;
   system_bytes_ += ir::Bytes(type);
-  if (initial != 0) PutBytes(system_, offset, initial, ir::Bytes(type));
   return program_.places.Add({.name = std::move(name),
                               .address = {},
                               .type = type,

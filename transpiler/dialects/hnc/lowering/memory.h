@@ -15,7 +15,7 @@ class Memory : Context {
 
   void AddSpaces();
   void AddVariables();
-  ir::PlaceId AddScalar(std::string name, ir::Type type, uint64_t initial = 0);
+  ir::PlaceId AddScalar(std::string name, ir::Type type);
   /// Four scalars one after the other, "NAME_0" to "NAME_3", which the control writes whatever the program does with
   /// them; scenarios name one ADDRESS[0].
   std::array<ir::PlaceId, 4> AddInputs(const std::string& name, const std::string& address, ir::Type type);

@@ -29,11 +29,9 @@ void Symbols::AddSymbol(const std::string& name, TypeId type_id, uint32_t offset
     case TypeKind::kRecord:
       for (const Member& member : unit_.records[type.record].members) {
         const std::string inner = member.name.empty() ? name : name + "." + member.name;
-        if (!member.is_bit_field) {
-          AddSymbol(inner, member.type, offset + member.offset, indices);
-          continue;
-        }
-        // A bit-field is one symbol for each bit, the lowest first: what several symbols name is one number.
+        if (!member.is_bit_field) AddSymbol(inner, member.type, offset + member.offset, indices);
+        // A bit-field is one symbol for each bit, the lowest first: what several symbols name is one number. Others
+        // have none.
         for (uint32_t i = 0; i < member.bit_width && !member.name.empty(); ++i) {
           const uint32_t bit = member.bit_offset + i;
           program_.symbols.push_back({.name = inner,
