@@ -1,11 +1,10 @@
-// Operands, symbols and constants where the program uses them.
-#include "transpiler/dialects/nc110/parser/internal.h"
+#include "transpiler/dialects/nc110/parser/operand_reader.h"
 
 namespace plcxx::nc110 {
 
 constexpr uint32_t kMaxOperands = 1024;
 
-OperandUse Parser::TakeOperand() {
+OperandUse OperandReader::TakeOperand() {
   const Token& token = Take();
   const std::string_view text = TextOf(token);
   OperandUse use;
@@ -24,7 +23,7 @@ OperandUse Parser::TakeOperand() {
   use.symbol = FindSymbol(name);
   if (use.symbol.valid()) {
     use.operand = program_.symbols[use.symbol].operand;
-    failed_ = failed_ || use.operand.kind == OperandKind::kNone;  // its definition was reported
+    now_.failed = now_.failed || use.operand.kind == OperandKind::kNone;  // its definition was reported
   } else if (undefined_.insert(std::string(name)).second) {
     if (Decode(name).fault == OperandFault::kNone) {
       Fault(token.range, diag::Nc110SymbolIsAddress, name);
@@ -32,16 +31,16 @@ OperandUse Parser::TakeOperand() {
       Fault(token.range, diag::Nc110SymbolUndefined, name);
     }
   } else {
-    failed_ = true;
+    now_.failed = true;
   }
   return use;
 }
 
 /// Says what is meant where that is plain: words of other languages, numbers without their first digit, timers and
 /// counters without their field.
-void Parser::FaultOfUnknown(std::string_view run, source::Range range) {
-  if (IsMeantEnd(run, range)) {
-    failed_ = true;
+void OperandReader::FaultOfUnknown(std::string_view run, source::Range range) {
+  if (open_blocks_.IsMeantEnd(run, range)) {
+    now_.failed = true;
     return;
   }
   const std::string cause =
@@ -53,7 +52,7 @@ void Parser::FaultOfUnknown(std::string_view run, source::Range range) {
   }
 }
 
-Operand Parser::ReadOperand(std::string_view run, source::Range range) {
+Operand OperandReader::ReadOperand(std::string_view run, source::Range range) {
   const Decoded decoded = Decode(run);
   const auto number = static_cast<diag::Number>(decoded.found);
   const Package package = decoded.operand.package;
@@ -99,7 +98,7 @@ Operand Parser::ReadOperand(std::string_view run, source::Range range) {
   return {};
 }
 
-Parser::ConstantUse Parser::TakeConstant() {
+ConstantUse OperandReader::TakeConstant() {
   const Token& token = Take();
   ConstantUse use;
   use.range = token.range;
@@ -115,7 +114,7 @@ Parser::ConstantUse Parser::TakeConstant() {
   return use;
 }
 
-void Parser::ReportMalformedNumber(const Token& token) {
+void OperandReader::ReportMalformedNumber(const Token& token) {
   const std::string_view text = TextOf(token);
   const std::string hint = LookAlike(text);
   if (hint.empty()) {
@@ -125,15 +124,30 @@ void Parser::ReportMalformedNumber(const Token& token) {
   }
 }
 
-void Parser::CountOperand() {
-  if (++operands_ == kMaxOperands + 1) {
+void OperandReader::CountOperand() {
+  if (++now_.operands == kMaxOperands + 1) {
     HardFault(Peek().range, diag::Nc110TooComplex);
   }
 }
 
-SymbolId Parser::FindSymbol(std::string_view name) const {
+SymbolId OperandReader::FindSymbol(std::string_view name) const {
   const auto found = symbols_.find(name.substr(0, kSignificant));
   return found == symbols_.end() ? SymbolId() : found->second;
+}
+
+/// A name is also defined where its operand or the table's size is at fault: its uses are no second fault.
+void OperandReader::DefineSymbol(Symbol symbol) {
+  const std::string key = symbol.name.substr(0, kSignificant);
+  const auto known = symbols_.find(key);
+  if (known != symbols_.end()) {
+    Fault(symbol.range, diag::Nc110SymbolTwice, symbol.name)
+        .notes.push_back({program_.symbols[known->second].range, "the first definition"});
+    return;
+  }
+  if (symbols_.size() >= options_.max_symbols && !std::exchange(table_full_reported_, true)) {
+    Fault(symbol.range, diag::Nc110SymbolTable, options_.max_symbols);
+  }
+  symbols_.emplace(key, program_.symbols.Add(std::move(symbol)));
 }
 
 }  // namespace plcxx::nc110

@@ -1,5 +1,6 @@
-// Functions, arithmetic and comparators: everything in brackets.
-#include "transpiler/dialects/nc110/parser/internal.h"
+#include "transpiler/dialects/nc110/parser/word_reader.h"
+
+#include "transpiler/dialects/nc110/parser/expression_reader.h"
 
 namespace plcxx::nc110 {
 namespace {
@@ -53,7 +54,7 @@ uint32_t LowerBound(const Expr& expr) { return expr.kind == ExprKind::kConstant 
 
 }  // namespace
 
-ExprId Parser::ParseFunction(Type type) {
+ExprId WordReader::ParseFunction(Type type) {
   const Token& token = Peek();
   switch (token.function) {
     case Function::kMux:
@@ -74,7 +75,7 @@ ExprId Parser::ParseFunction(Type type) {
   PLCXX_UNREACHABLE();
 }
 
-ExprId Parser::ParseWordFunction() {
+ExprId WordReader::ParseWordFunction() {
   const Token& word = Take();
   CheckCase(word);
   const FunctionMessages& messages = MessagesOf(word.function);
@@ -85,8 +86,8 @@ ExprId Parser::ParseWordFunction() {
   if (!EnterParenthesis(open)) {
     return ErrorExpr(open);
   }
-  const ExprId argument = word.function == Function::kAbs ? ParseSum() : ParseExpression(Type::kWord);
-  if (panic_) {
+  const ExprId argument = word.function == Function::kAbs ? ParseSum() : expressions_.ParseExpression(Type::kWord);
+  if (now_.panic) {
     return argument;
   }
   if (At(TokenKind::kMinus)) {
@@ -95,11 +96,11 @@ ExprId Parser::ParseWordFunction() {
   if (!At(TokenKind::kCloseParenthesis)) {
     return HardFault(MissingAt(), messages.close, Found());
   }
-  --parentheses_;
-  return Unary(ExprKindOf(word.function), Type::kWord, {word.range.begin, Take().range.end}, argument);
+  --now_.parentheses;
+  return expressions_.Unary(ExprKindOf(word.function), Type::kWord, {word.range.begin, Take().range.end}, argument);
 }
 
-ExprId Parser::ParseSgn() {
+ExprId WordReader::ParseSgn() {
   const Token& word = Take();
   CheckCase(word);
   const bool bracket = At(TokenKind::kOpenBracket);
@@ -108,52 +109,52 @@ ExprId Parser::ParseSgn() {
   }
   const source::Range open = Take().range;
   if (bracket) {
-    ++open_brackets_;
+    ++now_.open_brackets;
   } else if (!EnterParenthesis(open)) {
     return ErrorExpr(open);
   }
   const ExprId argument = ParseSum();
-  if (panic_) {
+  if (now_.panic) {
     return argument;
   }
   if (!At(bracket ? TokenKind::kCloseBracket : TokenKind::kCloseParenthesis)) {
     return HardFault(MissingAt(), diag::Nc110SgnClose, bracket ? "']'" : "')'", Found());
   }
-  --(bracket ? open_brackets_ : parentheses_);
-  return Unary(ExprKind::kSgn, Type::kSignal, {word.range.begin, Take().range.end}, argument);
+  --(bracket ? now_.open_brackets : now_.parentheses);
+  return expressions_.Unary(ExprKind::kSgn, Type::kSignal, {word.range.begin, Take().range.end}, argument);
 }
 
 /// '[' in a word position: 8-bit arithmetic.
-ExprId Parser::ParseBracket() {
+ExprId WordReader::ParseBracket() {
   const source::Offset begin = Take().range.begin;
-  ++open_brackets_;
+  ++now_.open_brackets;
   const ExprId sum = ParseSum();
-  if (panic_) {
+  if (now_.panic) {
     return sum;
   }
   if (!At(TokenKind::kCloseBracket)) {
     return HardFault(MissingAt(), diag::Nc110ArithmeticClose, Found());
   }
-  --open_brackets_;
+  --now_.open_brackets;
   program_.exprs[sum].range = {begin, Take().range.end};
   return sum;
 }
 
 /// Addition and subtraction, from left to right.
-ExprId Parser::ParseSum() {
+ExprId WordReader::ParseSum() {
   ExprId left = ParseTerm();
-  while (!panic_ && (At(TokenKind::kPlus) || At(TokenKind::kMinus))) {
+  while (!now_.panic && (At(TokenKind::kPlus) || At(TokenKind::kMinus))) {
     const ExprKind kind = Take().kind == TokenKind::kPlus ? ExprKind::kAdd : ExprKind::kSubtract;
     const ExprId right = ParseTerm();
-    left = Binary(kind, Type::kWord, left, right);
+    left = expressions_.Binary(kind, Type::kWord, left, right);
   }
   return left;
 }
 
-ExprId Parser::ParseTerm() {
-  if (AtOperand()) return ParseOperand(Type::kWord);
-  if (At(TokenKind::kNumber)) return ParseConstant(Type::kWord);
-  if (At(TokenKind::kAscii)) return ParseAscii(Type::kWord);
+ExprId WordReader::ParseTerm() {
+  if (AtOperand()) return expressions_.ParseOperand(Type::kWord);
+  if (At(TokenKind::kNumber)) return expressions_.ParseConstant(Type::kWord);
+  if (At(TokenKind::kAscii)) return expressions_.ParseAscii(Type::kWord);
   if (At(TokenKind::kFunction)) return ParseFunction(Type::kWord);
   if (!At(TokenKind::kOpenParenthesis)) return Expected("word, constant or function");
   const source::Range open = Take().range;
@@ -161,22 +162,22 @@ ExprId Parser::ParseTerm() {
     return ErrorExpr(open);
   }
   const ExprId sum = ParseSum();
-  if (!panic_ && !At(TokenKind::kCloseParenthesis)) {
+  if (!now_.panic && !At(TokenKind::kCloseParenthesis)) {
     Expected("')'");
   }
-  if (!panic_) {
-    --parentheses_;
+  if (!now_.panic) {
+    --now_.parentheses;
     program_.exprs[sum].range = {open.begin, Take().range.end};
   }
   return sum;
 }
 
 /// '[' in a signal position.
-ExprId Parser::ParseComparator() {
+ExprId WordReader::ParseComparator() {
   const source::Offset begin = Take().range.begin;
-  ++open_brackets_;
+  ++now_.open_brackets;
   const ExprId left = ParseComparatorArgument();
-  if (panic_) {
+  if (now_.panic) {
     return left;
   }
   const TokenKind sign = Peek().kind;
@@ -185,7 +186,7 @@ ExprId Parser::ParseComparator() {
     return HardFault(Peek().range, diag::Nc110ComparatorArithmetic, Found());
   }
   if (!IsComparisonSign(sign)) {
-    failed_ = failed_ || sign == TokenKind::kBad;  // its character has been reported
+    now_.failed = now_.failed || sign == TokenKind::kBad;  // its character has been reported
     return HardFault(MissingAt(), diag::Nc110ComparisonSign, Found());
   }
   Take();
@@ -196,7 +197,7 @@ ExprId Parser::ParseComparator() {
     return HardFault(MissingAt(), diag::Nc110WordArgumentExpected, Found());  // the next statement
   }
   const ExprId right = ParseComparatorArgument();
-  if (panic_) {
+  if (now_.panic) {
     return right;
   }
   const TokenKind next = Peek().kind;
@@ -207,18 +208,18 @@ ExprId Parser::ParseComparator() {
   if (next != TokenKind::kCloseBracket) {
     return HardFault(MissingAt(), diag::Nc110ComparatorClose, Found());
   }
-  --open_brackets_;
+  --now_.open_brackets;
   const ExprKind kind = sign == TokenKind::kLess     ? ExprKind::kLess
                         : sign == TokenKind::kAssign ? ExprKind::kEqual
                                                      : ExprKind::kGreater;
-  const ExprId result = Binary(kind, Type::kSignal, left, right);
+  const ExprId result = expressions_.Binary(kind, Type::kSignal, left, right);
   program_.exprs[result].range = {begin, Take().range.end};
   CheckComparison(result);
   return result;
 }
 
 /// '>=', '==' and the like: what is meant, with the operands that are there.
-ExprId Parser::DoubledSign(ExprId left, TokenKind first) {
+ExprId WordReader::DoubledSign(ExprId left, TokenKind first) {
   const TokenKind second = Peek().kind;
   const Token& right = Peek(1);
   const bool both = first == second && first != TokenKind::kAssign;  // '<<', '>>'
@@ -240,25 +241,25 @@ ExprId Parser::DoubledSign(ExprId left, TokenKind first) {
   return HardFault(Peek().range, diag::Nc110ComparisonSignForeign, written, (negated ? "/" : "") + comparator);
 }
 
-ExprId Parser::ParseComparatorArgument() {
+ExprId WordReader::ParseComparatorArgument() {
   const Token& token = Peek();
   if (AtOperand()) {
-    CountOperand();
-    if (panic_) {
+    operands_.CountOperand();
+    if (now_.panic) {
       return ErrorExpr(token.range);
     }
-    const OperandUse use = TakeOperand();
+    const OperandUse use = operands_.TakeOperand();
     if (TypeOf(use.operand.kind) == Type::kSignal) {
       Fault(use.range, diag::Nc110WordExpected, Quoted(TextOf(token)));
       return ErrorExpr(use.range);
     }
-    panic_ = panic_ || At(TokenKind::kOpenParenthesis);  // a misspelled function, reported
-    if (panic_ && !failed_) {
+    now_.panic = now_.panic || At(TokenKind::kOpenParenthesis);  // a misspelled function, reported
+    if (now_.panic && !now_.failed) {
       return HardFault(MissingAt(), diag::Nc110ComparisonSign, Found());
     }
-    return OperandExpr(use);
+    return expressions_.OperandExpr(use);
   }
-  if (token.kind == TokenKind::kNumber) return ParseConstant(Type::kWord);
+  if (token.kind == TokenKind::kNumber) return expressions_.ParseConstant(Type::kWord);
   if (token.kind == TokenKind::kFunction) {
     if (token.function != Function::kMux && token.function != Function::kSgn) {
       Warn(token.range, diag::Nc110Extension, "a function in a comparator");
@@ -270,7 +271,7 @@ ExprId Parser::ParseComparatorArgument() {
   return HardFault(MissingAt(), diag::Nc110WordArgumentExpected, Found());
 }
 
-void Parser::CheckComparison(ExprId comparison) {
+void WordReader::CheckComparison(ExprId comparison) {
   const Expr& expr = program_.exprs[comparison];
   const Expr& left = program_.exprs[expr.left];
   const Expr& right = program_.exprs[expr.right];

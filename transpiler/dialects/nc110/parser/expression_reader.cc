@@ -1,17 +1,8 @@
-// Operators and what both types share: precedence, parentheses, operands, constants.
-#include "transpiler/dialects/nc110/parser/internal.h"
+#include "transpiler/dialects/nc110/parser/expression_reader.h"
 
 namespace plcxx::nc110 {
 
-constexpr uint32_t kMaxParentheses = 32;
-
-ExprId Parser::ErrorExpr(source::Range range) {
-  Expr expr;
-  expr.range = range;
-  return program_.exprs.Add(expr);
-}
-
-ExprId Parser::OperandExpr(const OperandUse& use) {
+ExprId ExpressionReader::OperandExpr(const OperandUse& use) {
   Expr expr;
   expr.kind = use.operand.kind == OperandKind::kNone ? ExprKind::kError : ExprKind::kOperand;
   expr.type = TypeOf(use.operand.kind);
@@ -21,7 +12,7 @@ ExprId Parser::OperandExpr(const OperandUse& use) {
   return program_.exprs.Add(expr);
 }
 
-ExprId Parser::Unary(ExprKind kind, Type type, source::Range range, ExprId left) {
+ExprId ExpressionReader::Unary(ExprKind kind, Type type, source::Range range, ExprId left) {
   Expr expr;
   expr.kind = kind;
   expr.type = type;
@@ -30,7 +21,7 @@ ExprId Parser::Unary(ExprKind kind, Type type, source::Range range, ExprId left)
   return program_.exprs.Add(expr);
 }
 
-ExprId Parser::Binary(ExprKind kind, Type type, ExprId left, ExprId right) {
+ExprId ExpressionReader::Binary(ExprKind kind, Type type, ExprId left, ExprId right) {
   Expr expr;
   expr.kind = kind;
   expr.type = type;
@@ -41,13 +32,13 @@ ExprId Parser::Binary(ExprKind kind, Type type, ExprId left, ExprId right) {
 }
 
 /// '+' and '&' on one level from left to right; or, by option, '&' above '+'.
-ExprId Parser::ParseExpression(Type type) {
+ExprId ExpressionReader::ParseExpression(Type type) {
   const bool above = options_.xor_precedence == XorPrecedence::kAboveOr;
   ExprId sum;  // above only: the terms of '+' that are complete
   ExprId current = ParseAnd(type);
   bool has_or = false;
   bool has_xor = false;
-  while (!panic_ && (At(TokenKind::kPlus) || At(TokenKind::kAmpersand))) {
+  while (!now_.panic && (At(TokenKind::kPlus) || At(TokenKind::kAmpersand))) {
     const Token& sign = Take();
     const bool is_or = sign.kind == TokenKind::kPlus;
     if (is_or ? has_xor && !has_or : has_or && !has_xor) {
@@ -68,16 +59,16 @@ ExprId Parser::ParseExpression(Type type) {
   return sum.valid() ? Binary(ExprKind::kOr, type, sum, current) : current;
 }
 
-ExprId Parser::ParseAnd(Type type) {
+ExprId ExpressionReader::ParseAnd(Type type) {
   ExprId left = ParseNot(type);
-  while (!panic_ && TakeIf(TokenKind::kStar)) {
+  while (!now_.panic && TakeIf(TokenKind::kStar)) {
     const ExprId right = ParseNot(type);
     left = Binary(ExprKind::kAnd, type, left, right);
   }
   return left;
 }
 
-ExprId Parser::ParseNot(Type type) {
+ExprId ExpressionReader::ParseNot(Type type) {
   const source::Offset begin = Peek().range.begin;
   bool inverted = false;
   bool any = false;
@@ -95,59 +86,51 @@ ExprId Parser::ParseNot(Type type) {
   return Unary(ExprKind::kNot, type, {begin, program_.exprs[inner].range.end}, inner);
 }
 
-ExprId Parser::ParsePrimary(Type type) {
+ExprId ExpressionReader::ParsePrimary(Type type) {
   if (AtOperand()) return ParseOperand(type);
   if (At(TokenKind::kNumber)) return ParseConstant(type);
   if (At(TokenKind::kOpenParenthesis)) return ParseGroup(type);
-  if (At(TokenKind::kOpenBracket)) return type == Type::kSignal ? ParseComparator() : ParseBracket();
+  if (At(TokenKind::kOpenBracket)) return type == Type::kSignal ? words_.ParseComparator() : words_.ParseBracket();
   if (At(TokenKind::kAscii)) return ParseAscii(type);
-  if (At(TokenKind::kFunction)) return ParseFunction(type);
+  if (At(TokenKind::kFunction)) return words_.ParseFunction(type);
   if (At(TokenKind::kMinus)) return HardFault(Peek().range, diag::Nc110MinusOutside);
-  return Expected(primary_name_);
+  return Expected(now_.primary_name);
 }
 
-bool Parser::EnterParenthesis(source::Range range) {
-  if (++parentheses_ > kMaxParentheses) {
-    HardFault(range, diag::Nc110TooDeep);
-    return false;
-  }
-  return true;
-}
-
-ExprId Parser::ParseGroup(Type type) {
+ExprId ExpressionReader::ParseGroup(Type type) {
   const source::Range open = Take().range;
   if (!EnterParenthesis(open)) {
     return ErrorExpr(open);
   }
   const ExprId inner = ParseExpression(type);
-  if (!panic_ && At(TokenKind::kMinus)) {
+  if (!now_.panic && At(TokenKind::kMinus)) {
     return HardFault(Peek().range, diag::Nc110MinusOutside);
   }
-  if (!At(TokenKind::kCloseParenthesis) && !panic_) {
+  if (!At(TokenKind::kCloseParenthesis) && !now_.panic) {
     Expected("')'");
     return inner;
   }
-  if (!panic_) {
+  if (!now_.panic) {
     program_.exprs[inner].range = {open.begin, Take().range.end};
-    --parentheses_;
+    --now_.parentheses;
   }
   return inner;
 }
 
-ExprId Parser::ParseOperand(Type type) {
+ExprId ExpressionReader::ParseOperand(Type type) {
   // "U4K0=I0A0*" and the next statement on the next line: the operand there is not ours.
-  if (Peek().first_on_line && LooksLikeTarget(0) && position_ > 0) {
-    return Expected(primary_name_);
+  if (Peek().first_on_line && LooksLikeTarget(0) && now_.position > 0) {
+    return Expected(now_.primary_name);
   }
-  CountOperand();
-  if (panic_) {
+  operands_.CountOperand();
+  if (now_.panic) {
     return ErrorExpr(Peek().range);
   }
   if (At(TokenKind::kRun)) {
     return ParseUnknownPrimary();
   }
   const std::string text(TextOf(Peek()));
-  const OperandUse use = TakeOperand();
+  const OperandUse use = operands_.TakeOperand();
   const Type found = TypeOf(use.operand.kind);
   if (found == Type::kUnknown || found == type) {
     return OperandExpr(use);
@@ -160,18 +143,18 @@ ExprId Parser::ParseOperand(Type type) {
   return ErrorExpr(use.range);
 }
 
-ExprId Parser::ParseUnknownPrimary() {
-  const ExprId expr = OperandExpr(TakeOperand());
-  panic_ = panic_ || At(TokenKind::kOpenParenthesis);  // a misspelled function
+ExprId ExpressionReader::ParseUnknownPrimary() {
+  const ExprId expr = OperandExpr(operands_.TakeOperand());
+  now_.panic = now_.panic || At(TokenKind::kOpenParenthesis);  // a misspelled function
   return expr;
 }
 
-ExprId Parser::ParseConstant(Type type) {
-  CountOperand();
-  if (panic_) {
+ExprId ExpressionReader::ParseConstant(Type type) {
+  operands_.CountOperand();
+  if (now_.panic) {
     return ErrorExpr(Peek().range);
   }
-  const ConstantUse constant = TakeConstant();
+  const ConstantUse constant = operands_.TakeConstant();
   Expr expr;
   expr.range = constant.range;
   if (!constant.well_formed) {
@@ -195,10 +178,10 @@ ExprId Parser::ParseConstant(Type type) {
 }
 
 /// "W1K0+1" looks like a sum. A mask of bits is written in hexadecimal, as a rule; a decimal number is meant as one.
-void Parser::WarnOrOfNumber(source::Range sign, ExprId left, ExprId right) {
+void ExpressionReader::WarnOrOfNumber(source::Range sign, ExprId left, ExprId right) {
   const Expr& number = program_.exprs[right];
   const Expr& word = program_.exprs[left];
-  if (panic_ || number.kind != ExprKind::kConstant || word.kind != ExprKind::kOperand) {
+  if (now_.panic || number.kind != ExprKind::kConstant || word.kind != ExprKind::kOperand) {
     return;
   }
   const std::string_view digits = sources_.Text(number.range);
@@ -208,15 +191,15 @@ void Parser::WarnOrOfNumber(source::Range sign, ExprId left, ExprId right) {
 }
 
 /// Once per file; conditions have a warning of their own, W321.
-void Parser::WarnConstantSignal(source::Range range) {
-  if (!in_condition_ && !std::exchange(constant_warned_, true)) {
+void ExpressionReader::WarnConstantSignal(source::Range range) {
+  if (!now_.in_condition && !std::exchange(now_.constant_warned, true)) {
     Warn(range, diag::Nc110Extension, "a constant in a signal expression");
   }
 }
 
-ExprId Parser::ParseAscii(Type type) {
-  CountOperand();
-  if (panic_) {
+ExprId ExpressionReader::ParseAscii(Type type) {
+  operands_.CountOperand();
+  if (now_.panic) {
     return ErrorExpr(Peek().range);
   }
   const Token& token = Take();

@@ -1,11 +1,10 @@
-// MUX(words),(signals): the whole right-hand side of a word assignment.
-#include "transpiler/dialects/nc110/parser/internal.h"
+#include "transpiler/dialects/nc110/parser/mux_reader.h"
 
 namespace plcxx::nc110 {
 
 constexpr size_t kMaxMuxInputs = 8;
 
-MuxId Parser::ParseMux(Type target_type, source::Range target) {
+MuxId MuxReader::ParseMux(Type target_type, source::Range target) {
   const Token& word = Take();
   CheckCase(word);
   if (target_type == Type::kSignal) {
@@ -19,7 +18,7 @@ MuxId Parser::ParseMux(Type target_type, source::Range target) {
       !ParseMuxList(Type::kSignal, selectors)) {
     return program_.muxes.Add(mux);
   }
-  mux.range.end = lexed_.tokens[position_ - 1].range.end;
+  mux.range.end = now_.lexed.tokens[now_.position - 1].range.end;
   if (words.size() > kMaxMuxInputs) {
     Fault(program_.exprs[words[kMaxMuxInputs]].range, diag::Nc110MuxTooMany);
   } else if (selectors.size() > kMaxMuxInputs) {
@@ -32,7 +31,7 @@ MuxId Parser::ParseMux(Type target_type, source::Range target) {
   if (!item_follows) {
     HardFault(Peek().range, diag::Nc110MuxFollowed, Found());
   }
-  if (!failed_) {
+  if (!now_.failed) {
     mux.first = static_cast<uint32_t>(program_.mux_inputs.size());
     mux.count = static_cast<uint32_t>(words.size());
     for (size_t i = 0; i < words.size(); ++i) {
@@ -42,15 +41,15 @@ MuxId Parser::ParseMux(Type target_type, source::Range target) {
   return program_.muxes.Add(mux);
 }
 
-bool Parser::ParseMuxList(Type type, std::vector<ExprId>& list) {
+bool MuxReader::ParseMuxList(Type type, std::vector<ExprId>& list) {
   if (!At(TokenKind::kOpenParenthesis)) {
     HardFault(MissingAt(), diag::Nc110MuxOpen, Found());
     return false;
   }
   do {
     Take();
-    list.push_back(ParseExpression(type));
-    if (panic_) {
+    list.push_back(expressions_.ParseExpression(type));
+    if (now_.panic) {
       return false;
     }
     CheckMuxInput(type, list.back());
@@ -66,14 +65,14 @@ bool Parser::ParseMuxList(Type type, std::vector<ExprId>& list) {
   return true;
 }
 
-void Parser::CheckMuxInput(Type type, ExprId input) {
+void MuxReader::CheckMuxInput(Type type, ExprId input) {
   const Expr* expr = &program_.exprs[input];
   if (type == Type::kSignal && expr->kind == ExprKind::kNot) {
     expr = &program_.exprs[expr->left];
   }
   const bool documented = expr->kind == ExprKind::kOperand || expr->kind == ExprKind::kError ||
                           (type == Type::kWord && expr->kind == ExprKind::kConstant);
-  if (!documented && !std::exchange(extension_warned_, true)) {
+  if (!documented && !std::exchange(now_.extension_warned, true)) {
     Warn(expr->range, diag::Nc110Extension, "an expression as an input of MUX");
   }
 }

@@ -1,9 +1,8 @@
-// Assignments: target, parameter, right-hand side.
-#include "transpiler/dialects/nc110/parser/internal.h"
+#include "transpiler/dialects/nc110/parser/assignment_reader.h"
 
 namespace plcxx::nc110 {
 
-void Parser::ParseAssignment(Item& item) {
+void AssignmentReader::ParseAssignment(Item& item) {
   Assignment assignment;
   assignment.inverted = TakeIf(TokenKind::kSlash);
   if (!AtOperand()) {
@@ -13,9 +12,9 @@ void Parser::ParseAssignment(Item& item) {
   if (ParseTarget(assignment) && Require(TokenKind::kAssign, "'='")) {
     const Type type = TypeOf(assignment.target.operand.kind);
     if (At(TokenKind::kFunction) && Peek().function == Function::kMux) {
-      assignment.mux = ParseMux(type, assignment.target.range);
+      assignment.mux = muxes_.ParseMux(type, assignment.target.range);
     } else {
-      assignment.value = ParseExpression(type);
+      assignment.value = expressions_.ParseExpression(type);
     }
   }
   if (!assignment.value.valid() && !assignment.mux.valid()) {
@@ -25,14 +24,13 @@ void Parser::ParseAssignment(Item& item) {
   item.detail = program_.assignments.Add(assignment).index;
 }
 
-/// Up to the '='. False: nothing can be said about the rest.
-bool Parser::ParseTarget(Assignment& assignment) {
+bool AssignmentReader::ParseTarget(Assignment& assignment) {
   const std::string text(TextOf(Peek()));
-  assignment.target = TakeOperand();
+  assignment.target = operands_.TakeOperand();
   const source::Range range = assignment.target.range;
   const OperandKind kind = assignment.target.operand.kind;
   if (kind == OperandKind::kNone) {
-    panic_ = true;
+    now_.panic = true;
     return false;
   }
   const bool parameter = At(TokenKind::kOpenParenthesis);
@@ -58,7 +56,7 @@ bool Parser::ParseTarget(Assignment& assignment) {
     case OperandKind::kTimerInput:
     case OperandKind::kCounterInput:
       ParseParameter(assignment, text);
-      return !panic_;
+      return !now_.panic;
     case OperandKind::kNone:
     case OperandKind::kOutput:
     case OperandKind::kTimerHold:
@@ -70,10 +68,10 @@ bool Parser::ParseTarget(Assignment& assignment) {
   if (parameter) {
     Expected("'='");
   }
-  return !panic_;
+  return !now_.panic;
 }
 
-void Parser::ReportParameterMissing(OperandKind target, std::string_view target_text) {
+void AssignmentReader::ReportParameterMissing(OperandKind target, std::string_view target_text) {
   if (target == OperandKind::kTimerInput) {
     Fault(MissingAt(), diag::Nc110DelayExpected, target_text);
   } else {
@@ -81,7 +79,7 @@ void Parser::ReportParameterMissing(OperandKind target, std::string_view target_
   }
 }
 
-void Parser::ParseParameter(Assignment& assignment, std::string_view target_text) {
+void AssignmentReader::ParseParameter(Assignment& assignment, std::string_view target_text) {
   const OperandKind target = assignment.target.operand.kind;
   assignment.parameter = ErrorExpr(assignment.target.range);
   if (!TakeIf(TokenKind::kOpenParenthesis)) {
@@ -96,18 +94,18 @@ void Parser::ParseParameter(Assignment& assignment, std::string_view target_text
     HardFault(Peek().range, diag::Nc110ParameterKind, Found());
     return;
   } else {
-    failed_ = failed_ || At(TokenKind::kBad);
+    now_.failed = now_.failed || At(TokenKind::kBad);
     ReportParameterMissing(target, target_text);
     if (!At(TokenKind::kCloseParenthesis)) {
-      panic_ = true;
+      now_.panic = true;
       return;
     }
   }
   Require(TokenKind::kCloseParenthesis, "')'");
 }
 
-ExprId Parser::ParseParameterConstant(OperandKind target) {
-  const ConstantUse constant = TakeConstant();
+ExprId AssignmentReader::ParseParameterConstant(OperandKind target) {
+  const ConstantUse constant = operands_.TakeConstant();
   if (!constant.well_formed) {
     return ErrorExpr(constant.range);
   }
@@ -129,9 +127,9 @@ ExprId Parser::ParseParameterConstant(OperandKind target) {
 }
 
 /// The low byte of a pair; the last byte of a package has no neighbour.
-ExprId Parser::ParseParameterWord() {
+ExprId AssignmentReader::ParseParameterWord() {
   const std::string text(TextOf(Peek()));
-  const OperandUse use = TakeOperand();
+  const OperandUse use = operands_.TakeOperand();
   const Operand& word = use.operand;
   if (word.kind == OperandKind::kNone) {
     return ErrorExpr(use.range);
@@ -145,7 +143,43 @@ ExprId Parser::ParseParameterWord() {
     Fault(use.range, diag::Nc110PairAtEnd, text, std::string_view(&letter, 1));
     return ErrorExpr(use.range);
   }
-  return OperandExpr(use);
+  return expressions_.OperandExpr(use);
+}
+
+void AssignmentReader::ReportNoStatement() {
+  const Token& token = Peek();
+  now_.panic = true;
+  if (token.kind == TokenKind::kBad) {
+    now_.failed = true;
+    return;
+  }
+  if (token.kind == TokenKind::kMinus) {
+    Fault(token.range, diag::Nc110MinusOutside);
+    return;
+  }
+  if (token.kind == TokenKind::kFunction) {
+    expressions_.ParseFunction(token.function == Function::kSgn ? Type::kWord : Type::kSignal);
+    now_.panic = true;
+    return;
+  }
+  if (token.kind == TokenKind::kEnd) {
+    operands_.FaultOfUnknown(TextOf(token), token.range);
+    return;
+  }
+  if (token.kind == TokenKind::kNumber && !Evaluate(TextOf(token)).well_formed) {
+    operands_.ReportMalformedNumber(token);
+    return;
+  }
+  const TokenKind next = Peek(1).kind;
+  const bool second_slash = now_.position > 0 && now_.lexed.tokens[now_.position - 1].kind == TokenKind::kSlash;
+  const bool comment = (token.kind == TokenKind::kSlash && (second_slash || next == TokenKind::kSlash)) ||
+                       (token.kind == TokenKind::kOpenParenthesis && next == TokenKind::kStar) ||
+                       (token.kind == TokenKind::kSlash && next == TokenKind::kStar);
+  if (comment) {
+    Fault(token.range, diag::Nc110StatementExpectedHint, Found(), "a comment begins with ';' and ends with its line");
+  } else {
+    Fault(token.range, diag::Nc110StatementExpected, Found());
+  }
 }
 
 }  // namespace plcxx::nc110

@@ -1,5 +1,4 @@
-// Symbol files: "* remark", then one "name = operand" per line.
-#include "transpiler/dialects/nc110/parser/internal.h"
+#include "transpiler/dialects/nc110/parser/symbol_file_reader.h"
 
 namespace plcxx::nc110 {
 namespace {
@@ -57,21 +56,21 @@ bool HasSmallLetter(std::string_view text) {
 
 }  // namespace
 
-void Parser::ParseSymbolFile(source::FileId file) {
-  file_ = &sources_.Get(file);
-  case_warned_ = false;
-  if (logic_file_seen_) {
-    diagnostics_.Report({file_->base, file_->base + 1}, diag::Nc110SymbolFileLate);
+void SymbolFileReader::ParseSymbolFile(source::FileId file, bool is_late) {
+  now_.file = &sources_.Get(file);
+  now_.case_warned = false;
+  if (is_late) {
+    diagnostics_.Report({now_.file->base, now_.file->base + 1}, diag::Nc110SymbolFileLate);
   }
   HomoglyphReader homoglyphs(options_.accept_homoglyphs ? Homoglyphs::kAccept : Homoglyphs::kReject, diagnostics_);
   const uint32_t lines = sources_.LineCount(file);
   for (uint32_t line = 2; line <= lines; ++line) {
-    failed_ = panic_ = false;
-    ParseSymbolLine(sources_.Line(file, line), file_->base + file_->line_starts[line - 1], homoglyphs);
+    now_.failed = now_.panic = false;
+    ParseSymbolLine(sources_.Line(file, line), now_.file->base + now_.file->line_starts[line - 1], homoglyphs);
   }
 }
 
-void Parser::ParseSymbolLine(std::string_view line, source::Offset begin, HomoglyphReader& homoglyphs) {
+void SymbolFileReader::ParseSymbolLine(std::string_view line, source::Offset begin, HomoglyphReader& homoglyphs) {
   LineReader reader{line, begin};
   reader.SkipBlanks();
   if (reader.AtEnd()) {
@@ -83,7 +82,7 @@ void Parser::ParseSymbolLine(std::string_view line, source::Offset begin, Homogl
   Symbol symbol;
   symbol.range = reader.RangeFrom(name_at);
   if (HasForeign(name)) {
-    failed_ = homoglyphs.Read(name, symbol.range.begin, mapped_name) == HomoglyphReader::Outcome::kReported;
+    now_.failed = homoglyphs.Read(name, symbol.range.begin, mapped_name) == HomoglyphReader::Outcome::kReported;
     name = mapped_name;
     if (name.empty()) {
       return;
@@ -113,7 +112,8 @@ void Parser::ParseSymbolLine(std::string_view line, source::Offset begin, Homogl
     return;
   }
   if (HasForeign(run)) {
-    failed_ = homoglyphs.Read(run, run_range.begin, mapped_run) == HomoglyphReader::Outcome::kReported || failed_;
+    now_.failed =
+        homoglyphs.Read(run, run_range.begin, mapped_run) == HomoglyphReader::Outcome::kReported || now_.failed;
     run = mapped_run;
   }
   reader.SkipBlanks();
@@ -129,28 +129,13 @@ void Parser::ParseSymbolLine(std::string_view line, source::Offset begin, Homogl
   if (HasSmallLetter(run)) {
     if (options_.strict_case) {
       Fault(run_range, diag::Nc110LowerCaseRejected, run);
-    } else if (!std::exchange(case_warned_, true)) {
+    } else if (!std::exchange(now_.case_warned, true)) {
       diagnostics_.Report(run_range, diag::Nc110LowerCase, run, Capitals(run));
     }
   }
-  symbol.operand = run.empty() ? Operand{} : ReadOperand(run, run_range);
+  symbol.operand = run.empty() ? Operand{} : operands_.ReadOperand(run, run_range);
   symbol.name = name;
-  DefineSymbol(std::move(symbol));
-}
-
-/// A name is also defined where its operand or the table's size is at fault: its uses are no second fault.
-void Parser::DefineSymbol(Symbol symbol) {
-  const std::string key = symbol.name.substr(0, kSignificant);
-  const auto known = symbols_.find(key);
-  if (known != symbols_.end()) {
-    Fault(symbol.range, diag::Nc110SymbolTwice, symbol.name)
-        .notes.push_back({program_.symbols[known->second].range, "the first definition"});
-    return;
-  }
-  if (symbols_.size() >= options_.max_symbols && !std::exchange(table_full_reported_, true)) {
-    Fault(symbol.range, diag::Nc110SymbolTable, options_.max_symbols);
-  }
-  symbols_.emplace(key, program_.symbols.Add(std::move(symbol)));
+  operands_.DefineSymbol(std::move(symbol));
 }
 
 }  // namespace plcxx::nc110

@@ -1,0 +1,130 @@
+#include "transpiler/dialects/nc110/parser/block_reader.h"
+
+#include <algorithm>
+
+namespace plcxx::nc110 {
+namespace {
+
+constexpr size_t kMaxNesting = 9;
+
+BlockKind KindOf(TokenKind word) {
+  if (word == TokenKind::kDof || word == TokenKind::kEndf) {
+    return BlockKind::kDof;
+  }
+  return word == TokenKind::kDoe || word == TokenKind::kEnde ? BlockKind::kDoe : BlockKind::kDow;
+}
+
+bool CanBeName(TokenKind kind) {
+  return kind == TokenKind::kOperand || kind == TokenKind::kRun || kind == TokenKind::kNumber;
+}
+
+}  // namespace
+
+void BlockReader::ParseBlockHead(Item& item) {
+  const Token& word = Take();
+  CheckCase(word);
+  Block block;
+  block.kind = KindOf(word.kind);
+  block.keyword = word.range;
+  block.head = ItemId(program_.items.size());
+  block.level = static_cast<uint8_t>(std::min<size_t>(open_blocks_.size() + 1, 255));
+  block.parent = open_blocks_.empty() ? BlockId() : open_blocks_.innermost();
+  const BlockId id(program_.blocks.size());
+  if (block.kind == BlockKind::kDow && !options_.enable_dow) {
+    Fault(word.range, diag::Nc110DowDisabled, "DOW");
+  }
+  if (block.kind == BlockKind::kDoe) {
+    LinkChain(id, block);
+  }
+  if (open_blocks_.size() == kMaxNesting) {
+    Fault(word.range, diag::Nc110BlockNesting);
+  }
+  chain_.last = BlockId();
+  chain_.unsure = false;
+  if (CanBeName(Peek().kind) && !LooksLikeTarget(0)) {
+    block.name = open_blocks_.TakeName();
+  }
+  const source::Range colon = Peek().range;
+  if (Require(TokenKind::kColon, "':'")) {
+    ParseCondition(block, colon);
+  } else {
+    block.condition = ErrorExpr(word.range);
+  }
+  item.kind = ItemKind::kBlockHead;
+  item.detail = program_.blocks.Add(block).index;
+  open_blocks_.Open(id);
+}
+
+bool BlockReader::NoConditionHere() const {
+  const Token& token = Peek();
+  return token.first_on_line || token.kind == TokenKind::kEndOfFile || token.kind == TokenKind::kCycleMark ||
+         token.kind == TokenKind::kMsg || IsBlockWord(token.kind) ||
+         LooksLikeTarget(token.kind == TokenKind::kSlash ? 1 : 0);
+}
+
+void BlockReader::ParseCondition(Block& block, source::Range colon) {
+  if (NoConditionHere()) {
+    if (block.kind == BlockKind::kDoe) {
+      return;
+    }
+    Fault(colon, diag::Nc110ConditionExpected, HeadWord(block.kind));
+    const bool on_next_line = Peek().first_on_line && !LooksLikeTarget(At(TokenKind::kSlash) ? 1 : 0) &&
+                              (AtOperand() || At(TokenKind::kOpenParenthesis) || At(TokenKind::kOpenBracket) ||
+                               At(TokenKind::kSlash) || At(TokenKind::kFunction) || At(TokenKind::kAscii));
+    if (!on_next_line) {
+      block.condition = ErrorExpr(colon);
+      return;
+    }
+  }
+  now_.primary_name = "condition";
+  now_.in_condition = true;
+  block.condition = expressions_.ParseExpression(Type::kSignal);
+  const Expr& condition = program_.exprs[block.condition];
+  if (condition.kind == ExprKind::kConstant) {
+    Warn(condition.range, diag::Nc110ConstantCondition, HeadWord(block.kind));
+  }
+}
+
+void BlockReader::LinkChain(BlockId id, Block& block) {
+  if (!chain_.last.valid()) {
+    if (!chain_.unsure) {
+      Fault(block.keyword, diag::Nc110DoeWithoutDof);
+    }
+    return;
+  }
+  Block& previous = program_.blocks[chain_.last];
+  previous.next = id;
+  block.previous = chain_.last;
+  block.unreachable = previous.unreachable || (previous.kind == BlockKind::kDoe && !previous.condition.valid());
+  if (block.unreachable) {
+    Warn(block.keyword, diag::Nc110UnreachableDoe);
+  }
+}
+
+void BlockReader::ParseBlockEnd(Item& item) {
+  const Token& word = Take();
+  CheckCase(word);
+  BlockEnd end;
+  end.kind = KindOf(word.kind);
+  const TokenKind after_name = Peek(1).kind;
+  if (CanBeName(Peek().kind) && !Peek().first_on_line && after_name != TokenKind::kAssign &&
+      after_name != TokenKind::kOpenParenthesis) {
+    end.name = open_blocks_.TakeName();
+  }
+  chain_.unsure = false;
+  const bool closes_loop = !open_blocks_.empty() && program_.blocks[open_blocks_.innermost()].kind == BlockKind::kDow;
+  if (end.kind == BlockKind::kDow && !options_.enable_dow && !closes_loop) {
+    Fault(word.range, diag::Nc110DowDisabled, "ENDW");
+    chain_.unsure = true;
+  } else if (open_blocks_.empty()) {
+    Fault(word.range, diag::Nc110EndWithoutBlock, EndWord(end.kind));
+    chain_.unsure = true;
+  } else {
+    open_blocks_.Close(end, word);
+    chain_.last = end.kind == BlockKind::kDow ? BlockId() : end.block;
+  }
+  item.kind = ItemKind::kBlockEnd;
+  item.detail = program_.block_ends.Add(end).index;
+}
+
+}  // namespace plcxx::nc110

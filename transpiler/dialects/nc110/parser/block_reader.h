@@ -1,0 +1,36 @@
+// Heads and ends of blocks, and chains of DOF and DOE (specification 3.4, 6.8).
+#pragma once
+
+#include "transpiler/dialects/nc110/parser/expression_reader.h"
+#include "transpiler/dialects/nc110/parser/item_reader.h"
+#include "transpiler/dialects/nc110/parser/open_blocks.h"
+
+namespace plcxx::nc110 {
+
+/// What a DOE right here would follow.
+struct Chain {
+  BlockId last;         // its last member; none: no chain
+  bool unsure = false;  // the item before was faulty: no error 45
+};
+
+class BlockReader : private ItemReader {
+ public:
+  BlockReader(Parsing& parsing, OpenBlocks& open_blocks, ExpressionReader& expressions)
+      : ItemReader(parsing), open_blocks_(open_blocks), expressions_(expressions) {}
+
+  void ParseBlockHead(Item& item);
+  void ParseBlockEnd(Item& item);
+  Chain& chain() { return chain_; }
+
+ private:
+  void ParseCondition(Block& block, source::Range colon);
+  /// Is nothing on the rest of the line that could be the condition?
+  bool NoConditionHere() const;
+  void LinkChain(BlockId id, Block& block);
+
+  OpenBlocks& open_blocks_;
+  ExpressionReader& expressions_;
+  Chain chain_;
+};
+
+}  // namespace plcxx::nc110
