@@ -4,7 +4,7 @@
 
 namespace plcxx::nc110 {
 
-/// After a fault. An operand in front of '=' inside of brackets is part of a comparison, unless it begins a line.
+/// An operand in front of '=' inside of brackets is part of a comparison, unless it begins a line.
 void LogicReader::SkipToNextItem(size_t item_begin) {
   for (;; Take()) {
     const Token& token = Peek();
