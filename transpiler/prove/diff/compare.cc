@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "transpiler/prove/diff/comparison.h"
+#include "transpiler/prove/diff/renamed.h"
 #include "transpiler/prove/machine/inputs.h"
 
 namespace plcxx::prove::diff {
@@ -148,6 +149,46 @@ uint32_t ConstantCount(const Comparison& comparison) {
 void SeparateUndecided(Comparison& comparison) {
   for (const PairResult& result : comparison.results) {
     if (result.verdict == PairVerdict::kUndecided) comparison.pairing.Separate(result.old_cell);
+  }
+}
+
+/// What one version keeps in memory of its own the other one may keep in its own: with such cells as pairs the rest is
+/// compared once more. What is proved then is proved, for the pairs are no inputs in either comparison.
+void ProveWithRenamed(Comparison& comparison) {
+  constexpr uint64_t kRenamedShare = 10, kEnoughMs = 3000;  // of the time; what a short one may cost
+  JoinAllButDifferent(comparison);
+  const std::vector<std::pair<execute::CellId, execute::CellId>> renamed = GuessRenamed(comparison);
+  if (renamed.empty()) return;
+  Match match = comparison.match;
+  for (const auto& [old_cell, new_cell] : renamed) {
+    const execute::CellId old_partner = match.new_of_old[old_cell.index],
+                          new_partner = match.old_of_new[new_cell.index];
+    if (old_partner.valid()) match.old_of_new[old_partner.index] = {};
+    if (new_partner.valid()) match.new_of_old[new_partner.index] = {};
+    match.new_of_old[old_cell.index] = new_cell;
+    match.old_of_new[new_cell.index] = old_cell;
+  }
+  const SimulatedRuns no_runs;
+  const CompareLimits limits{
+      .question_ms = comparison.limits.question_ms,
+      .total_ms = std::min(comparison.RestMs() / 4, std::max(comparison.limits.total_ms / kRenamedShare, kEnoughMs)),
+      .progress = comparison.limits.progress};
+  Comparison again(comparison.old_version, comparison.new_version, match, no_runs, limits);
+  if (!again.refusal.empty()) return;
+  AddMatched(again);
+  for (PairResult& result : again.results) {
+    const uint32_t known = comparison.result_of_old[result.old_cell.index];
+    if (known == kNone || comparison.results[known].verdict != PairVerdict::kDifferent) continue;
+    result.verdict = PairVerdict::kDifferent;
+    again.pairing.Separate(result.old_cell);
+  }
+  again.round_ms = limits.total_ms / 3;
+  if (!CheckPowerOn(again) || !FindInductiveSet(again) || !again.is_inductive) return;
+  for (PairResult& result : comparison.results) {
+    const uint32_t there = again.result_of_old[result.old_cell.index];
+    const bool is_proved = result.verdict == PairVerdict::kUndecided && there != kNone &&
+                           again.results[there].new_cell == result.new_cell && again.pairing.IsEqual(result.old_cell);
+    if (is_proved) result.verdict = PairVerdict::kEqual;
   }
 }
 
@@ -327,6 +368,10 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
       SeparateUndecided(comparison);
     }
   };
+  if (is_tried()) {
+    ProveWithRenamed(comparison);
+    SeparateUndecided(comparison);
+  }
   // Those that are found soon; where many are guessed, runs are the better use of the time, and come first.
   comparison.round_ms = limits.total_ms / 16;
   if (is_tried()) try_invariants(limits.total_ms / 40);

@@ -33,7 +33,25 @@ Candidates::Candidates(const machine::Version& version, std::span<const execute:
     for (uint32_t bit = 8; bit-- > 0;) byte.emplace_back(id.index - cell.bit + bit);
     if (std::ranges::all_of(byte, is_state)) numbers_.push_back({.cells = std::move(byte), .values = {}});
   }
+  AddWords(version, interesting, is_state);
   seen_pairs_.assign(bits_.size() * bits_.size(), 0);
+}
+
+void Candidates::AddWords(const machine::Version& version, const std::set<execute::CellId>& interesting,
+                          const std::function<bool(execute::CellId)>& is_state) {
+  std::set<execute::CellId> taken;  // a word at each of them
+  for (const ir::Place& place : version.program->places) {
+    const bool is_word = !place.is_field() && !place.indexed && ir::Bytes(place.type) > 1 &&
+                         place.type <= ir::Type::kI64 && execute::IsInside(*version.program, place);
+    if (!is_word) continue;
+    std::vector<execute::CellId> cells = execute::CellsOf(*version.program, version.cells, place);
+    const bool is_of_interest =
+        std::ranges::any_of(cells, [&](execute::CellId cell) { return interesting.contains(cell); });
+    if (!is_of_interest || !std::ranges::all_of(cells, is_state) || !taken.insert(cells.front()).second) continue;
+    std::ranges::reverse(cells);
+    numbers_.push_back(
+        {.cells = std::move(cells), .width = static_cast<uint8_t>(8 * ir::Bytes(place.type)), .values = {}});
+  }
 }
 
 void Candidates::AddState(const CellValues& state) {

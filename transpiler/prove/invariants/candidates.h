@@ -15,7 +15,8 @@ namespace plcxx::prove::invariants {
 
 class Candidates {
  public:
-  /// `cells`: of interest, without inputs. A byte counts as a number when `is_state` has all its bits.
+  /// `cells`: of interest, without inputs. A byte, and a word that the program reads or writes as one, counts as a
+  /// number when `is_state` has all its bits.
   Candidates(const machine::Version& version, std::span<const execute::CellId> cells,
              const std::function<bool(execute::CellId)>& is_state);
 
@@ -35,7 +36,7 @@ class Candidates {
     uint64_t value = 0;
     std::bitset<kMostBits> ones, zeros;
   };
-  /// A field, or a byte of memory.
+  /// A field, a byte or a word of memory.
   struct SeenNumber {
     std::vector<execute::CellId> cells;  // from the most significant down
     uint8_t width = 8;
@@ -46,6 +47,8 @@ class Candidates {
   static void AddNeighbours(std::set<uint64_t>& limits, uint64_t constant) {
     limits.insert({constant - 1, constant, constant + 1});
   }
+  void AddWords(const machine::Version& version, const std::set<execute::CellId>& interesting,
+                const std::function<bool(execute::CellId)>& is_state);
   void AddBits(std::vector<Invariant>& guesses) const;
   void AddLimits(const SeenNumber& number, std::vector<Invariant>& guesses) const;
   /// What a number may be while a bit is set, or is not.

@@ -27,12 +27,17 @@ std::string CallText(const ir::HostFunction& function, const sim::HostEvent& eve
   return "{" + function.name + ": {" + arguments + "}}";
 }
 
+/// The regular exchange calls a function of the program's now and then: those calls, or the program's own.
+enum class Callers : uint8_t { kProgram, kExchange };
+
 std::vector<const sim::HostEvent*> CallsOf(const ir::Program& program, const std::vector<sim::HostEvent>& events,
-                                           const std::string& function) {
+                                           const std::string& function, Callers callers) {
   std::vector<const sim::HostEvent*> calls;
   for (const sim::HostEvent& event : events) {
     const ir::HostFunction& of = program.host_functions[event.function];
-    if (!event.exchange && (of.name == function || (function.empty() && !of.routine_exchange))) calls.push_back(&event);
+    if (event.exchange == (callers == Callers::kExchange) &&
+        (of.name == function || (function.empty() && !of.routine_exchange)))
+      calls.push_back(&event);
   }
   return calls;
 }
@@ -60,11 +65,13 @@ std::optional<std::string> ExpectedCalls(const ir::Program& program, const std::
   return "[" + list + "]";
 }
 
-FirstDifferentCall FindDifferentCall(const ir::Program& old_program, const std::vector<sim::HostEvent>& old_events,
-                                     const ir::Program& new_program, const std::vector<sim::HostEvent>& new_events,
-                                     const std::string& function) {
-  const std::vector<const sim::HostEvent*> old_calls = CallsOf(old_program, old_events, function),
-                                           new_calls = CallsOf(new_program, new_events, function);
+namespace {
+
+FirstDifferentCall FindDifferentCallBy(Callers callers, const ir::Program& old_program,
+                                       const std::vector<sim::HostEvent>& old_events, const ir::Program& new_program,
+                                       const std::vector<sim::HostEvent>& new_events, const std::string& function) {
+  const std::vector<const sim::HostEvent*> old_calls = CallsOf(old_program, old_events, function, callers),
+                                           new_calls = CallsOf(new_program, new_events, function, callers);
   size_t at = 0;
   const auto is_same = [&](const sim::HostEvent& one, const sim::HostEvent& other) {
     const ir::HostFunction& called = old_program.host_functions[one.function];
@@ -77,7 +84,22 @@ FirstDifferentCall FindDifferentCall(const ir::Program& old_program, const std::
   const auto text = [at](const ir::Program& program, const std::vector<const sim::HostEvent*>& calls) {
     return at < calls.size() ? engines::ToText(program, *calls[at]) : std::string("no call");
   };
-  return {.old_text = text(old_program, old_calls), .new_text = text(new_program, new_calls)};
+  return {.old_text = text(old_program, old_calls),
+          .new_text = text(new_program, new_calls),
+          .is_of_exchange = callers == Callers::kExchange};
+}
+
+}  // namespace
+
+FirstDifferentCall FindDifferentCall(const ir::Program& old_program, const std::vector<sim::HostEvent>& old_events,
+                                     const ir::Program& new_program, const std::vector<sim::HostEvent>& new_events,
+                                     const std::string& function) {
+  FirstDifferentCall call =
+      FindDifferentCallBy(Callers::kProgram, old_program, old_events, new_program, new_events, function);
+  if (call.old_text != call.new_text || function.empty()) return call;
+  FirstDifferentCall other =
+      FindDifferentCallBy(Callers::kExchange, old_program, old_events, new_program, new_events, function);
+  return other.old_text != other.new_text ? other : call;
 }
 
 }  // namespace plcxx::review::diff

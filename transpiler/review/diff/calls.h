@@ -17,9 +17,10 @@ std::optional<std::string> ExpectedCalls(const ir::Program& program, const std::
                                          const std::string& function);
 
 /// The first call of the function (empty: of any but the exchange's) in which two runs differ, in words: "fault(kind:
-/// PARAM_RANGE, index: 20)", "no call".
+/// PARAM_RANGE, index: 20)", "no call". Where the program calls it alike, the first one of the regular exchange.
 struct FirstDifferentCall {
   std::string old_text, new_text;
+  bool is_of_exchange = false;
 };
 FirstDifferentCall FindDifferentCall(const ir::Program& old_program, const std::vector<sim::HostEvent>& old_events,
                                      const ir::Program& new_program, const std::vector<sim::HostEvent>& new_events,

@@ -265,7 +265,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     // Too late to begin with anything.
     if (!search && Clock::now() >= compare_end) return std::vector<CellId>();
     if (!search) search.emplace(old_side, new_side, old_version, new_version, match, old_named.words, sought.all);
-    const auto run_both = [&](const std::vector<CellId>& cells, Clock::time_point run_end) {
+    const auto run_both = [&](const std::vector<CellId>& cells, Clock::time_point run_end, bool waits_only = false) {
       if (cells.empty()) return;
       RunBoth(old_side, new_side,
               {.old_version = old_version,
@@ -274,7 +274,8 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
                .cells = cells,
                .effort = effort,
                .end = run_end,
-               .round = round},
+               .round = round,
+               .waits_only = waits_only},
               options, runs);
     };
     // To begin with it executes both versions once more, which is worth it while most of the time is left.
@@ -294,6 +295,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
         search->Run(open(), part(kQuickSearchShare), runs);
         break;
       case Effort::kThorough:
+        run_both(open(), part(kSearchShare), true);
         search->Follow(sought.runs, part(kSearchShare), runs);
         run_wide(part(kSearchShare));
         search->Run(open(), part(kSearchShare), runs);

@@ -126,7 +126,6 @@ void DiffMachine::Look() {
   picture_ = simulator_.Snapshot();
   events_ = simulator_.TakeEvents();
   for (const sim::HostEvent& event : events_) {
-    if (event.exchange) continue;
     const auto add = [](uint64_t& hash, uint64_t value) { hash = (hash ^ value) * 0x9E3779B97F4A7C15; };
     uint64_t& own = calls_[event.function.index];
     for (const uint64_t argument : event.arguments) add(own, argument);

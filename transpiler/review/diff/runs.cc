@@ -91,6 +91,24 @@ std::vector<prove::diff::SetCell> InputsBehind(const prove::machine::Version& ve
   return behind;
 }
 
+/// What one version no longer reads decides what the other one does.
+std::vector<prove::diff::SetCell> InputsBehindBoth(const RunRequest& request,
+                                                   const std::vector<prove::diff::SetCell>& inputs) {
+  std::vector<bool> old_wanted(request.old_version.cells.count), new_wanted(request.new_version.cells.count);
+  for (const CellId cell : request.cells) {
+    old_wanted[cell.index] = true;
+    new_wanted[request.match.new_of_old[cell.index].index] = true;
+  }
+  const std::vector<prove::diff::SetCell> of_old = InputsBehind(request.old_version, std::move(old_wanted), inputs,
+                                                                &prove::diff::SetCell::old_cell),
+                                          of_new = InputsBehind(request.new_version, std::move(new_wanted), inputs,
+                                                                &prove::diff::SetCell::new_cell);
+  std::vector<prove::diff::SetCell> behind;
+  std::ranges::set_union(of_old, of_new, std::back_inserter(behind), {}, &prove::diff::SetCell::old_cell,
+                         &prove::diff::SetCell::old_cell);
+  return behind;
+}
+
 /// Without memory that the host might write as well, such as data with presets: a random one there hides what differs.
 std::vector<prove::diff::SetCell> InputsOfTheMachine(const prove::machine::Version& version,
                                                      std::vector<prove::diff::SetCell> inputs) {
@@ -201,10 +219,8 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
     const auto differs = [&](const auto& pair) { return result.difference_of.contains(pair.first); };
     if (std::ranges::all_of(pairs, differs)) --spare;
   };
-  std::vector<bool> wanted(new_version.cells.count);
-  for (const auto& [old_cell, new_cell] : pairs) wanted[new_cell.index] = true;
   std::vector<prove::diff::SetCell> behind;
-  if (!quick) behind = InputsBehind(new_version, std::move(wanted), inputs, &prove::diff::SetCell::new_cell);
+  if (!quick) behind = InputsBehindBoth(request, inputs);
   // Half of the time for what is needed to start a timer and wait, or to start a counter and count.
   const ChangedConstants changed = quick ? ChangedConstants() : FindChangedConstants(old_version, new_version);
   const uint32_t pulses = std::max(kLeastPulses, changed.counts + 2);
@@ -220,6 +236,9 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
       if (difference.run >= first_run) telling = InputsAfter(result.runs[difference.run], difference.steps);
     }
   };
+  // Where nothing can be set there is one run, and all that it takes is patience.
+  if (!quick && behind.empty() && request.round <= 1) run_both(HoldStimuli({}, kMostPatientRun, changed.times_ms));
+  if (request.waits_only) return;
   const auto first_run = static_cast<int>(request.round) * kHoldRuns;
   for (int run = first_run; !quick && run < first_run + kHoldRuns && !behind.empty() && !late(); ++run) {
     if (std::chrono::steady_clock::now() > begin + (end - begin) / 2) break;

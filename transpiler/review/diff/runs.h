@@ -35,6 +35,8 @@ struct RunRequest {
   prove::diff::Effort effort{};
   std::chrono::steady_clock::time_point end;
   uint32_t round = 0;  // of thorough searches: each has other inputs
+  /// Nothing is done where there are inputs from which the cells are computed; else there is one run, which waits.
+  bool waits_only = false;
 };
 
 inline constexpr size_t kMostSought = 400;  // cells, of a search that is not quick; of more it does nothing

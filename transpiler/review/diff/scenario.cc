@@ -287,6 +287,8 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
     const FirstDifferentCall call = FindDifferentCall(old_program, old_events, new_program, new_events, function);
     example.old_value = call.old_text;
     example.new_value = call.new_text;
+    // Scenarios do not list these.
+    if (call.is_of_exchange) return std::nullopt;
     const std::optional<std::string> calls = ExpectedCalls(old_program, old_events, function);
     if (!calls) return std::nullopt;
     return "expect_calls: " + *calls;

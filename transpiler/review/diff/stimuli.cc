@@ -99,13 +99,16 @@ ChangedConstants FindChangedConstants(const prove::machine::Version& old_version
   if (gone.size() > kMostChanged || come.size() > kMostChanged) return changed;
   const std::set<uint64_t> units = UnitsOf(*old_version.program);
   std::set<uint32_t> times;
+  const auto add_until = [&times](uint64_t preset, uint64_t unit) {
+    times.insert(static_cast<uint32_t>(preset * unit * 9 / 8 + kHeadstartMs));
+  };
   if (gone.empty() && come.empty()) {
     // Something else was changed about a timer, perhaps: until a little after each preset.
     const std::set<uint64_t> presets(old_constants.begin(), old_constants.end());
     for (const uint64_t preset : presets) {
       for (const uint64_t unit : units) {
         if (preset == 0 || presets.size() > kMostPresets || preset > kLongestMs / unit) continue;
-        times.insert(static_cast<uint32_t>(preset * unit * 9 / 8 + kHeadstartMs));
+        add_until(preset, unit);
       }
     }
   }
@@ -117,10 +120,18 @@ ChangedConstants FindChangedConstants(const prove::machine::Version& old_version
       times.insert(static_cast<uint32_t>((2 * low + half * (high - low)) * unit / 2));
     }
   };
+  // One that only went, or only came, is the end of something that is there in one version.
+  for (const std::vector<uint64_t>* const constants : {&gone, &come}) {
+    for (const uint64_t constant : *constants) {
+      if (constant <= kMostCounts) changed.counts = std::max(changed.counts, static_cast<uint32_t>(constant));
+      for (const uint64_t unit : units) {
+        if ((gone.empty() || come.empty()) && constant <= kLongestMs / unit) add_until(constant, unit);
+      }
+    }
+  }
   for (const uint64_t before : gone) {
     for (const uint64_t after : come) {
       const uint64_t greater = std::max(before, after);
-      if (greater <= kMostCounts) changed.counts = std::max(changed.counts, static_cast<uint32_t>(greater));
       for (const uint64_t unit : units) add_between(before, after, unit);
       if (greater <= 0xFFFF) add_between(TimeWordMs(before), TimeWordMs(after), 1);
     }

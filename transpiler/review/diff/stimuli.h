@@ -27,6 +27,8 @@ std::vector<prove::diff::SetCell> RandomInputs(terms::Random& random, std::vecto
 /// At most two of them have another value.
 std::vector<prove::diff::SetCell> AlmostTheSame(terms::Random& random, std::vector<prove::diff::SetCell> inputs);
 
+/// Of HoldStimuli: it waits for all times.
+inline constexpr int kMostPatientRun = 5;
 /// All inputs are set once, and then nothing happens for longer and longer: until each of `times_ms`, too, as far as
 /// this run is one of the patient ones. Long waits cost much, so most runs end early.
 Stimuli HoldStimuli(std::vector<prove::diff::SetCell> inputs, int run, const std::vector<uint32_t>& times_ms);
