@@ -1,7 +1,6 @@
-// Operand lines (specification 2.6) and the arguments of functional modules (6.9).
-#include <algorithm>
+#include "transpiler/dialects/prostep/parser/operand_line_reader.h"
 
-#include "transpiler/dialects/prostep/parser/internal.h"
+#include <algorithm>
 
 namespace plcxx::prostep {
 namespace {
@@ -23,24 +22,24 @@ bool IsMemoryOrConstant(OperandClass operand_class) {
 
 }  // namespace
 
-void Parser::TakeOperandLine(const Statement& statement) {
-  if (const Token* label = TheLabel(statement)) {
+void OperandLineReader::TakeOperandLine(const Statement& statement) {
+  if (const Token* label = labels_.TheLabel(statement)) {
     diagnostics_.Report(label->range, diag::ProstepLabelOnOperand, TextOf(*label));
   }
-  const bool waits = waiting_.found < waiting_.most;
-  const std::string text = OperandText(statement.tokens, 0);
+  const bool waits = now_.waiting.found < now_.waiting.most;
+  const std::string text = operands_.OperandText(statement.tokens, 0);
   if (!waits) {
     const bool reported = IsReported(statement);
     if (!reported) diagnostics_.Report(statement.range, diag::ProstepStrayOperand, text);
-    if (statement.has_comment()) AddComment(statement.comment.range, CommentPlace::kLeading);
+    if (statement.has_comment()) comments_.AddComment(statement.comment.range, CommentPlace::kLeading);
     return;
   }
-  ++waiting_.found;
+  ++now_.waiting.found;
   Instruction& instruction = Current();
   instruction.whole.end = statement.range.end;
-  AttachInside(instruction, statement.comment);
+  comments_.AttachInside(instruction, statement.comment);
   // The operands of an instruction that was not understood are part of its fault.
-  if (instruction.faulty && waiting_.fewest == 0) return;
+  if (instruction.faulty && now_.waiting.fewest == 0) return;
   const bool faulty_before = instruction.faulty;
   if (IsReported(statement)) {
     instruction.faulty = true;
@@ -49,24 +48,24 @@ void Parser::TakeOperandLine(const Statement& statement) {
   } else {
     TakeNextOperand(statement, instruction);
   }
-  if (instruction.faulty == faulty_before && !instruction.faulty) WarnOfComment(statement, false);
+  if (instruction.faulty == faulty_before && !instruction.faulty) instructions_.WarnOfComment(statement, false);
 }
 
-void Parser::TakeNextOperand(const Statement& statement, Instruction& instruction) {
+void OperandLineReader::TakeNextOperand(const Statement& statement, Instruction& instruction) {
   const InstructionInfo& info = Info(instruction.op);
-  const OperandClass operand_class = ClassOf(statement.tokens, 0);
+  const OperandClass operand_class = operands_.ClassOf(statement.tokens, 0);
   if (!Accepts(info.next, operand_class)) {
     instruction.faulty = true;
-    const std::string text = OperandText(statement.tokens, 0);
+    const std::string text = operands_.OperandText(statement.tokens, 0);
     diagnostics_.Report(statement.range, diag::ProstepOperandNotAllowed, text, info.mnemonic, Accepted(info.next));
     return;
   }
-  const Operand operand = ReadOperand(statement.tokens, 0);
-  if (!operand.exists() || !IsInRange(operand, Access::kRead)) {
+  const Operand operand = operands_.ReadOperand(statement.tokens, 0);
+  if (!operand.exists() || !operands_.IsInRange(operand, Access::kRead)) {
     instruction.faulty = true;
     return;
   }
-  WarnOfBorder(operand);
+  operands_.WarnOfBorder(operand);
   if (info.lines == Lines::kOneOf) {
     instruction.operand = operand;
     return;
@@ -78,7 +77,7 @@ void Parser::TakeNextOperand(const Statement& statement, Instruction& instructio
   ++instruction.arguments.count;
 }
 
-void Parser::CheckBcd(const Operand& operand, BcdUse use) {
+void OperandLineReader::CheckBcd(const Operand& operand, BcdUse use) {
   const std::string_view text = sources_.Text(operand.range);
   const std::string name = "K " + std::string(TrimBlanks(text.substr(1)));
   if (!IsBcd(operand.value, use)) {
@@ -94,27 +93,27 @@ void Parser::CheckBcd(const Operand& operand, BcdUse use) {
   }
 }
 
-void Parser::TakeArgument(const Statement& statement, Instruction& instruction, Function function) {
+void OperandLineReader::TakeArgument(const Statement& statement, Instruction& instruction, Function function) {
   const FunctionInfo& info = Info(function);
   const ShapeInfo& shape = Info(info.arguments[instruction.arguments.count]);
   const std::string call = ToText(program_, instruction);
-  const OperandClass operand_class = ClassOf(statement.tokens, 0);
+  const OperandClass operand_class = operands_.ClassOf(statement.tokens, 0);
   const uint32_t errors = diagnostics_.error_count();
   Operand operand;
   if (!IsMemoryOrConstant(operand_class)) {
-    const std::string text = OperandText(statement.tokens, 0);
+    const std::string text = operands_.OperandText(statement.tokens, 0);
     diagnostics_.Report(statement.range, diag::ProstepOperandNotAllowed, text, call, Accepted(kData | kConstants));
   } else {
-    operand = ReadOperand(statement.tokens, 0);
+    operand = operands_.ReadOperand(statement.tokens, 0);
     if (operand.exists()) CheckArgument(operand, shape, call);
   }
   instruction.faulty |= diagnostics_.error_count() != errors;
   program_.arguments.push_back(operand);
   ++instruction.arguments.count;
-  if (!instruction.faulty && waiting_.found == info.count) CheckVariable(instruction, function);
+  if (!instruction.faulty && now_.waiting.found == info.count) CheckVariable(instruction, function);
 }
 
-void Parser::CheckArgument(Operand& operand, const ShapeInfo& shape, std::string_view call) {
+void OperandLineReader::CheckArgument(Operand& operand, const ShapeInfo& shape, std::string_view call) {
   if (operand.shape() == Shape::kConstant) {
     const std::string text = "K " + std::string(TrimBlanks(sources_.Text(operand.range).substr(1)));
     if (shape.constant == Constant::kRefused) {
@@ -125,15 +124,15 @@ void Parser::CheckArgument(Operand& operand, const ShapeInfo& shape, std::string
     return;
   }
   if (shape.field_bytes != 0) return CheckField(operand, shape, call);
-  if (!IsInRange(operand, shape.access)) return;
-  WarnOfBorder(operand);
+  if (!operands_.IsInRange(operand, shape.access)) return;
+  operands_.WarnOfBorder(operand);
   if (shape.constant == Constant::kExpected) {
     diagnostics_.Report(operand.range, diag::ProstepIndexVariable, ToText(operand), call);
   }
 }
 
 /// Only the operand's space and number count: FB 100 and FW 100 begin the same field.
-void Parser::CheckField(const Operand& operand, const ShapeInfo& shape, std::string_view call) {
+void OperandLineReader::CheckField(const Operand& operand, const ShapeInfo& shape, std::string_view call) {
   if (operand.space() == Space::kP) {
     diagnostics_.Report(operand.range, diag::ProstepPortAsField, ToText(operand), call);
     return;
@@ -146,7 +145,7 @@ void Parser::CheckField(const Operand& operand, const ShapeInfo& shape, std::str
 }
 
 /// Index, width and direction of FM 41 to 54 against the manual's table.
-void Parser::CheckVariable(const Instruction& instruction, Function function) {
+void OperandLineReader::CheckVariable(const Instruction& instruction, Function function) {
   const FunctionInfo& info = Info(function);
   const Operand* index = nullptr;
   const ShapeInfo* field = nullptr;
@@ -166,11 +165,10 @@ void Parser::CheckVariable(const Instruction& instruction, Function function) {
   }
 }
 
-/// `: 30.1` where an operand is waited for: no instruction, but what the operand would be in another language, or
-/// without its K. One fault with the missing operand.
-bool Parser::IsWrongOperand(const Statement& statement) {
+bool OperandLineReader::IsWrongOperand(const Statement& statement) {
   const Token& token = statement.tokens.front();
-  if (waiting_.reported || waiting_.found >= waiting_.fewest || token.faulty || !statement.labels.empty()) return false;
+  if (now_.waiting.reported || now_.waiting.found >= now_.waiting.fewest || token.faulty || !statement.labels.empty())
+    return false;
   const std::string_view text = TextOf(token);
   const std::string word =
       Upper(text.substr(0, static_cast<size_t>(std::ranges::find_if_not(text, IsLetter) - text.begin())));
@@ -191,14 +189,14 @@ bool Parser::IsWrongOperand(const Statement& statement) {
   }
   instruction.faulty = true;
   diagnostics_.Report(instruction.range, diag::ProstepOperandLineForm, ToText(program_, instruction), text, remedy);
-  waiting_.reported = true;
-  waiting_.most = 255;  // what follows belongs to the fault
+  now_.waiting.reported = true;
+  now_.waiting.most = 255;  // what follows belongs to the fault
   return true;
 }
 
-void Parser::FinishWaiting() {
-  const Waiting waiting = waiting_;
-  waiting_ = {};
+void OperandLineReader::FinishWaiting() {
+  const Waiting waiting = now_.waiting;
+  now_.waiting = {};
   if (waiting.reported || waiting.most == 0) return;
   Instruction& instruction = program_.instructions[waiting.instruction];
   if (waiting.found < waiting.fewest) {

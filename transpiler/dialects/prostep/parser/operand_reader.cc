@@ -1,5 +1,4 @@
-// Operands: a class and a number (specification 2.4, 5.1).
-#include "transpiler/dialects/prostep/parser/internal.h"
+#include "transpiler/dialects/prostep/parser/operand_reader.h"
 
 namespace plcxx::prostep {
 namespace {
@@ -39,12 +38,12 @@ bool Fits(uint32_t number) { return number <= 0xFFFF; }
 
 }  // namespace
 
-OperandClass Parser::ClassOf(const std::vector<Token>& tokens, size_t first) const {
+OperandClass OperandReader::ClassOf(const std::vector<Token>& tokens, size_t first) const {
   if (first >= tokens.size() || tokens[first].kind != TokenKind::kClass) return OperandClass::kNone;
   return ClassByName(UpperOf(tokens[first]));
 }
 
-std::string Parser::OperandText(const std::vector<Token>& tokens, size_t first) const {
+std::string OperandReader::OperandText(const std::vector<Token>& tokens, size_t first) const {
   std::string text;
   for (size_t i = first; i < tokens.size(); ++i) {
     const bool attached = tokens[i].kind == TokenKind::kJunk && i > first;
@@ -55,7 +54,7 @@ std::string Parser::OperandText(const std::vector<Token>& tokens, size_t first) 
 }
 
 /// I0,0 is a slip of those who know decimal commas.
-void Parser::ReportMalformed(const Token& number) {
+void OperandReader::ReportMalformed(const Token& number) {
   const std::string_view text = TextOf(number);
   if (text.find(',') != std::string_view::npos) {
     diagnostics_.Report(number.range, diag::ProstepNumberComma, text);
@@ -64,7 +63,7 @@ void Parser::ReportMalformed(const Token& number) {
   }
 }
 
-Operand Parser::ReadOperand(const std::vector<Token>& tokens, size_t first) {
+Operand OperandReader::ReadOperand(const std::vector<Token>& tokens, size_t first) {
   const Token& class_token = tokens[first];
   const Token* number = first + 1 < tokens.size() ? &tokens[first + 1] : nullptr;
   const OperandClass operand_class = ClassOf(tokens, first);
@@ -111,7 +110,7 @@ Operand Parser::ReadOperand(const std::vector<Token>& tokens, size_t first) {
   return operand;
 }
 
-Operand Parser::ReadConstantOperand(const Token& class_token, const Token* number) {
+Operand OperandReader::ReadConstantOperand(const Token& class_token, const Token* number) {
   if (number == nullptr) {
     diagnostics_.Report(class_token.range, diag::ProstepNumberMissing, "K");
     return {};
@@ -135,7 +134,7 @@ Operand Parser::ReadConstantOperand(const Token& class_token, const Token* numbe
           .range = range};
 }
 
-bool Parser::IsInRange(const Operand& operand, Access access) {
+bool OperandReader::IsInRange(const Operand& operand, Access access) {
   bool exists = true;
   switch (operand.shape()) {
     case Shape::kBit:
@@ -166,7 +165,7 @@ bool Parser::IsInRange(const Operand& operand, Access access) {
   return exists;
 }
 
-void Parser::WarnOfBorder(const Operand& operand) {
+void OperandReader::WarnOfBorder(const Operand& operand) {
   if (operand.kind == OperandClass::kDW && operand.number + 1u == kFirstKeptByte) {
     diagnostics_.Report(operand.range, diag::ProstepWordAcrossBorder, ToText(operand));
   }

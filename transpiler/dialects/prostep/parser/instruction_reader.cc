@@ -1,7 +1,6 @@
-// Instructions with what stands on their own line (specification 2.2, 2.4, 2.6).
-#include <algorithm>
+#include "transpiler/dialects/prostep/parser/instruction_reader.h"
 
-#include "transpiler/dialects/prostep/parser/internal.h"
+#include <algorithm>
 
 namespace plcxx::prostep {
 namespace {
@@ -99,13 +98,13 @@ std::string Accepted(std::string_view mnemonic) {
   return set == kNothing ? "its operand on the next line" : Accepted(set);
 }
 
-void Parser::TakeInstruction(const Statement& statement) {
+void InstructionReader::TakeInstruction(const Statement& statement) {
   Instruction instruction{.range = statement.range,
                           .whole = statement.range,
                           .mnemonic = statement.tokens.front().range,
-                          .comments = TakeComments()};
-  AttachTrailing(instruction.comments, statement.comment);
-  if (const Token* label = TheLabel(statement)) DefineLabel(*label);
+                          .comments = comments_.TakeComments()};
+  comments_.AttachTrailing(instruction.comments, statement.comment);
+  if (const Token* label = labels_.TheLabel(statement)) labels_.DefineLabel(*label);
   if (statement.tokens.front().kind == TokenKind::kUnknown) {
     UnknownInstruction(statement, instruction);
   } else {
@@ -114,10 +113,10 @@ void Parser::TakeInstruction(const Statement& statement) {
   Attach(instruction);
 }
 
-void Parser::UnknownInstruction(const Statement& statement, Instruction& instruction) {
+void InstructionReader::UnknownInstruction(const Statement& statement, Instruction& instruction) {
   const Token& token = statement.tokens.front();
   instruction.faulty = true;
-  waiting_ = {.most = kAnyNumber, .reported = true};
+  now_.waiting = {.most = kAnyNumber, .reported = true};
   if (token.faulty) return;
   const std::string_view text = TextOf(token);
   const std::string_view hint = ForeignHint(MnemonicOf(text));
@@ -128,7 +127,7 @@ void Parser::UnknownInstruction(const Statement& statement, Instruction& instruc
   }
 }
 
-void Parser::KnownInstruction(const Statement& statement, Instruction& instruction) {
+void InstructionReader::KnownInstruction(const Statement& statement, Instruction& instruction) {
   const std::string mnemonic = MnemonicOf(TextOf(statement.tokens.front()));
   instruction.op = FirstMeaning(mnemonic)->op;
   const bool reported = std::ranges::any_of(statement.tokens, &Token::faulty);
@@ -141,11 +140,11 @@ void Parser::KnownInstruction(const Statement& statement, Instruction& instructi
   } else {
     WithOperand(statement, mnemonic, instruction);
   }
-  if (instruction.faulty && waiting_.most == 0) waiting_ = {.most = MostLines(mnemonic), .reported = true};
+  if (instruction.faulty && now_.waiting.most == 0) now_.waiting = {.most = MostLines(mnemonic), .reported = true};
   if (!instruction.faulty) WarnOfComment(statement, statement.tokens.size() == 1);
 }
 
-void Parser::WithoutOperand(std::string_view mnemonic, Instruction& instruction) {
+void InstructionReader::WithoutOperand(std::string_view mnemonic, Instruction& instruction) {
   const InstructionInfo* meaning = MeaningWithout(mnemonic);
   if (meaning == nullptr) {
     instruction.faulty = true;
@@ -153,29 +152,29 @@ void Parser::WithoutOperand(std::string_view mnemonic, Instruction& instruction)
     return;
   }
   instruction.op = meaning->op;
-  if (meaning->lines == Lines::kOneOf) waiting_ = {.fewest = 1, .most = 1};
+  if (meaning->lines == Lines::kOneOf) now_.waiting = {.fewest = 1, .most = 1};
 }
 
-void Parser::WithTarget(const Token& target, std::string_view mnemonic, Instruction& instruction) {
+void InstructionReader::WithTarget(const Token& target, std::string_view mnemonic, Instruction& instruction) {
   for (const InstructionInfo& info : Instructions()) {
     if (info.mnemonic == mnemonic && (info.own & kLabels) != 0) instruction.op = info.op;
   }
-  if (!IsLabel(TextOf(target), target.range)) {
+  if (!labels_.IsLabel(TextOf(target), target.range)) {
     instruction.faulty = true;
     return;
   }
-  jumps_.push_back(
+  labels_.AddJump(
       {.instruction = InstructionId(program_.instructions.size()), .name = UpperOf(target), .range = target.range});
 }
 
-void Parser::WithOperand(const Statement& statement, std::string_view mnemonic, Instruction& instruction) {
+void InstructionReader::WithOperand(const Statement& statement, std::string_view mnemonic, Instruction& instruction) {
   const source::Range range = {statement.tokens[1].range.begin, statement.range.end};
-  const OperandClass operand_class = ClassOf(statement.tokens, 1);
+  const OperandClass operand_class = operands_.ClassOf(statement.tokens, 1);
   const InstructionInfo* meaning =
       operand_class == OperandClass::kNone ? nullptr : MeaningWith(mnemonic, operand_class);
   if (meaning == nullptr) {
     instruction.faulty = true;
-    const std::string text = OperandText(statement.tokens, 1);
+    const std::string text = operands_.OperandText(statement.tokens, 1);
     const std::string_view hint = ForeignOperandHint(UpperOf(statement.tokens[1]));
     if (operand_class == OperandClass::kNone && !hint.empty()) {
       diagnostics_.Report(range, diag::ProstepOperandForeign, text, hint);
@@ -191,20 +190,20 @@ void Parser::WithOperand(const Statement& statement, std::string_view mnemonic, 
     return;
   }
   instruction.op = meaning->op;
-  instruction.operand = ReadOperand(statement.tokens, 1);
-  if (meaning->lines == Lines::kOwnAndNext) waiting_ = {.fewest = 1, .most = 1};
-  if (!instruction.operand.exists() || !IsInRange(instruction.operand, meaning->access)) {
+  instruction.operand = operands_.ReadOperand(statement.tokens, 1);
+  if (meaning->lines == Lines::kOwnAndNext) now_.waiting = {.fewest = 1, .most = 1};
+  if (!instruction.operand.exists() || !operands_.IsInRange(instruction.operand, meaning->access)) {
     instruction.faulty = true;
     return;
   }
-  WarnOfBorder(instruction.operand);
+  operands_.WarnOfBorder(instruction.operand);
   if (!Accepts(meaning->own, operand_class)) {
-    diagnostics_.Report(range, diag::ProstepOperandOnLine, OperandText(statement.tokens, 1), mnemonic);
+    diagnostics_.Report(range, diag::ProstepOperandOnLine, operands_.OperandText(statement.tokens, 1), mnemonic);
   }
   if (ShapeOf(operand_class) == Shape::kFunction) CallFunction(instruction);
 }
 
-void Parser::CallFunction(Instruction& instruction) {
+void InstructionReader::CallFunction(Instruction& instruction) {
   instruction.function = FunctionByNumber(instruction.operand.number);
   if (!instruction.function) {
     instruction.faulty = true;
@@ -212,22 +211,20 @@ void Parser::CallFunction(Instruction& instruction) {
     return;
   }
   const FunctionInfo& info = Info(*instruction.function);
-  waiting_ = {.fewest = info.fewest, .most = info.count};
+  now_.waiting = {.fewest = info.fewest, .most = info.count};
 }
 
-void Parser::Attach(Instruction& instruction) {
+void InstructionReader::Attach(Instruction& instruction) {
   std::string text = instruction.faulty ? std::string(Info(instruction.op).mnemonic) : ToText(program_, instruction);
-  const bool jumps = !jumps_.empty() && jumps_.back().instruction.index == program_.instructions.size();
-  if (jumps) text += " " + jumps_.back().name;
+  if (const PendingJump* jump = labels_.JumpOfNextInstruction()) text += " " + jump->name;
   const bool is_unknown = instruction.op == Op::kUnknown;
   brackets_.Instruction(instruction.op, instruction.range,
                         is_unknown ? sources_.Text(instruction.mnemonic) : std::string_view(text));
   instruction.arguments.first = static_cast<uint32_t>(program_.arguments.size());
-  waiting_.instruction = program_.instructions.Add(instruction);
+  now_.waiting.instruction = program_.instructions.Add(instruction);
 }
 
-/// Text after an instruction that has no marker and may have been meant as a part of it (2.2).
-void Parser::WarnOfComment(const Statement& statement, bool without_operand) {
+void InstructionReader::WarnOfComment(const Statement& statement, bool without_operand) {
   if (!statement.has_comment()) return;
   const std::string_view text = TextOf(statement.comment);
   if (IsMarked(text)) return;

@@ -1,7 +1,6 @@
-// Labels (specification 2.3).
-#include <algorithm>
+#include "transpiler/dialects/prostep/parser/label_reader.h"
 
-#include "transpiler/dialects/prostep/parser/internal.h"
+#include <algorithm>
 
 namespace plcxx::prostep {
 namespace {
@@ -13,7 +12,7 @@ bool IsReserved(std::string_view name) {
 
 }  // namespace
 
-const Token* Parser::TheLabel(const Statement& statement) {
+const Token* LabelReader::TheLabel(const Statement& statement) {
   if (statement.labels.empty()) return nullptr;
   if (std::ranges::any_of(statement.labels, &Token::faulty)) return nullptr;
   if (statement.labels.size() == 1) return &statement.labels.front();
@@ -22,7 +21,7 @@ const Token* Parser::TheLabel(const Statement& statement) {
   return nullptr;
 }
 
-bool Parser::IsLabel(std::string_view name, source::Range range) {
+bool LabelReader::IsLabel(std::string_view name, source::Range range) {
   if (!IsLetter(name.front())) {
     diagnostics_.Report(range, diag::ProstepLabelStart, name);
     return false;
@@ -39,7 +38,7 @@ bool Parser::IsLabel(std::string_view name, source::Range range) {
   return true;
 }
 
-void Parser::DefineLabel(const Token& token) {
+void LabelReader::DefineLabel(const Token& token) {
   const std::string_view text = TextOf(token);
   std::string name = Upper(text);
   if (IsReserved(name)) {
@@ -55,8 +54,30 @@ void Parser::DefineLabel(const Token& token) {
     return;
   }
   const LabelId id = program_.labels.Add(
-      {.name = name, .range = token.range, .module = module_, .at = InstructionId(program_.instructions.size())});
+      {.name = name, .range = token.range, .module = now_.module, .at = InstructionId(program_.instructions.size())});
   labels_.emplace(std::move(name), id);
+}
+
+const PendingJump* LabelReader::JumpOfNextInstruction() const {
+  const bool jumps = !jumps_.empty() && jumps_.back().instruction.index == program_.instructions.size();
+  return jumps ? &jumps_.back() : nullptr;
+}
+
+void LabelReader::EndModule(const Module& module) {
+  for (const PendingJump& jump : jumps_) {
+    const auto label = labels_.find(jump.name);
+    if (label == labels_.end()) {
+      program_.instructions[jump.instruction].faulty = true;
+      diagnostics_.Report(jump.range, diag::ProstepLabelUndefined, jump.name);
+      continue;
+    }
+    program_.instructions[jump.instruction].target = label->second;
+    ++program_.labels[label->second].uses;
+  }
+  // Labels in front of END stand after the last instruction: where the module ends.
+  PLCXX_CHECK(module.labels.first + module.labels.count == program_.labels.size());
+  labels_.clear();
+  jumps_.clear();
 }
 
 }  // namespace plcxx::prostep

@@ -1,5 +1,4 @@
-// MOD and END (specification 4.1, recovery of section 10).
-#include "transpiler/dialects/prostep/parser/internal.h"
+#include "transpiler/dialects/prostep/parser/module_reader.h"
 
 namespace plcxx::prostep {
 namespace {
@@ -8,17 +7,17 @@ std::string ModuleName(uint32_t number) { return "PM " + std::to_string(number);
 
 }  // namespace
 
-std::optional<uint32_t> Parser::ModuleNumber(const Statement& statement) {
+std::optional<uint32_t> ModuleReader::ModuleNumber(const Statement& statement) {
   const std::string mark = UpperOf(statement.tokens.front());
   if (statement.tokens.size() == 1) {
     diagnostics_.Report(statement.range, diag::ProstepOperandNone, mark, "PM and a number");
     return std::nullopt;
   }
   if (IsReported(statement)) return std::nullopt;
-  const OperandClass operand_class = ClassOf(statement.tokens, 1);
+  const OperandClass operand_class = operands_.ClassOf(statement.tokens, 1);
   if (operand_class != OperandClass::kPM) {
     const source::Range range = {statement.tokens[1].range.begin, statement.range.end};
-    const std::string text = OperandText(statement.tokens, 1);
+    const std::string text = operands_.OperandText(statement.tokens, 1);
     if (operand_class == OperandClass::kNone) {
       diagnostics_.Report(range, diag::ProstepOperandUnknown, text, mark, "PM and a number");
     } else {
@@ -26,27 +25,27 @@ std::optional<uint32_t> Parser::ModuleNumber(const Statement& statement) {
     }
     return std::nullopt;
   }
-  const Operand operand = ReadOperand(statement.tokens, 1);
+  const Operand operand = operands_.ReadOperand(statement.tokens, 1);
   if (!operand.exists()) return std::nullopt;
   return operand.number;
 }
 
 /// A module whose number is wrong is closed with the same wrong number.
-std::optional<uint32_t> Parser::ClosedNumber(const Statement& statement) {
-  const bool same = module_.valid() && program_.modules[module_].faulty && statement.tokens.size() > 1 &&
-                    OperandText(statement.tokens, 1) == faulty_module_;
+std::optional<uint32_t> ModuleReader::ClosedNumber(const Statement& statement) {
+  const bool same = now_.module.valid() && program_.modules[now_.module].faulty && statement.tokens.size() > 1 &&
+                    operands_.OperandText(statement.tokens, 1) == faulty_module_;
   return same ? std::nullopt : ModuleNumber(statement);
 }
 
-void Parser::OpenModule(const Statement& statement) {
-  const Span comments = TakeComments();
-  const Token* label = TheLabel(statement);
+void ModuleReader::OpenModule(const Statement& statement) {
+  const Span comments = comments_.TakeComments();
+  const Token* label = labels_.TheLabel(statement);
   if (label != nullptr) diagnostics_.Report(label->range, diag::ProstepLabelOnModule, TextOf(*label));
   const auto number = ModuleNumber(statement);
-  faulty_module_ = number ? "" : OperandText(statement.tokens, 1);
+  faulty_module_ = number ? "" : operands_.OperandText(statement.tokens, 1);
   bool reported = label != nullptr || !number;
-  if (module_.valid()) {
-    const Module& outer = program_.modules[module_];
+  if (now_.module.valid()) {
+    const Module& outer = program_.modules[now_.module];
     if (number) {
       diagnostics_
           .Report(statement.range, diag::ProstepModuleInside, ModuleName(*number),
@@ -63,35 +62,35 @@ void Parser::OpenModule(const Statement& statement) {
 
   Module module{.number = static_cast<uint8_t>(number.value_or(0)),
                 .faulty = !number,
-                .file = file_,
+                .file = now_.file,
                 .open = statement.range,
                 .instructions = {.first = program_.instructions.size()},
                 .labels = {.first = program_.labels.size()},
                 .comments = comments};
-  AttachTrailing(module.comments, statement.comment);
-  WarnOfComment(statement, false);
-  module_ = program_.modules.Add(module);
-  seen_module_ = true;
+  comments_.AttachTrailing(module.comments, statement.comment);
+  instructions_.WarnOfComment(statement, false);
+  now_.module = program_.modules.Add(module);
+  now_.seen_module = true;
   brackets_.BeginModule();
   if (!number) return;
   ModuleId& first = program_.module_of[*number];
   if (!first.valid()) {
-    first = module_;
+    first = now_.module;
   } else if (!reported) {
     diagnostics_.Report(statement.range, diag::ProstepModuleTwice, ModuleName(*number))
         .notes.push_back({program_.modules[first].open, "first defined here"});
   }
 }
 
-void Parser::CloseModule(const Statement& statement) {
-  const Token* label = TheLabel(statement);
+void ModuleReader::CloseModule(const Statement& statement) {
+  const Token* label = labels_.TheLabel(statement);
   const auto number = ClosedNumber(statement);
-  WarnOfComment(statement, false);
+  instructions_.WarnOfComment(statement, false);
   const bool abandoned = number && abandoned_.contains(*number);
-  if (!module_.valid()) {
-    const Span comments = TakeComments();
+  if (!now_.module.valid()) {
+    const Span comments = comments_.TakeComments();
     Span ignored = comments;
-    AttachTrailing(ignored, statement.comment);
+    comments_.AttachTrailing(ignored, statement.comment);
     if (abandoned) {
       abandoned_.erase(*number);
     } else if (number) {
@@ -99,7 +98,7 @@ void Parser::CloseModule(const Statement& statement) {
     }
     return;
   }
-  Module& module = program_.modules[module_];
+  Module& module = program_.modules[now_.module];
   if (number && !module.faulty && *number != module.number) {
     if (abandoned) {
       abandoned_.erase(*number);
@@ -109,49 +108,31 @@ void Parser::CloseModule(const Statement& statement) {
           .notes.push_back({module.open, "the open module begins here"});
     }
   }
-  if (label != nullptr) DefineLabel(*label);
+  if (label != nullptr) labels_.DefineLabel(*label);
   brackets_.EndModule(statement.range, "END" + (number ? " " + ModuleName(*number) : ""));
-  module.end_comments = TakeComments();
-  AttachTrailing(module.end_comments, statement.comment);
+  module.end_comments = comments_.TakeComments();
+  comments_.AttachTrailing(module.end_comments, statement.comment);
   LeaveModule(statement.range);
 }
 
-void Parser::LeaveModule(source::Range close) {
-  Module& module = program_.modules[module_];
+void ModuleReader::LeaveModule(source::Range close) {
+  Module& module = program_.modules[now_.module];
   module.close = close;
   module.instructions.count = program_.instructions.size() - module.instructions.first;
   module.labels.count = program_.labels.size() - module.labels.first;
-  ResolveJumps(module);
-  labels_.clear();
-  jumps_.clear();
-  module_ = ModuleId();
+  labels_.EndModule(module);
+  now_.module = ModuleId();
 }
 
-void Parser::ResolveJumps(const Module& module) {
-  for (const PendingJump& jump : jumps_) {
-    const auto label = labels_.find(jump.name);
-    if (label == labels_.end()) {
-      program_.instructions[jump.instruction].faulty = true;
-      diagnostics_.Report(jump.range, diag::ProstepLabelUndefined, jump.name);
-      continue;
-    }
-    program_.instructions[jump.instruction].target = label->second;
-    ++program_.labels[label->second].uses;
-  }
-  // Labels in front of END stand after the last instruction: where the module ends.
-  PLCXX_CHECK(module.labels.first + module.labels.count == program_.labels.size());
-}
-
-void Parser::EndOfFile() {
-  FinishWaiting();
-  if (module_.valid()) {
-    const Module& module = program_.modules[module_];
+void ModuleReader::EndFile() {
+  if (now_.module.valid()) {
+    const Module& module = program_.modules[now_.module];
     if (!module.faulty) diagnostics_.Report(module.open, diag::ProstepModuleNotClosed, ModuleName(module.number));
     LeaveModule({});
   }
   abandoned_.clear();
   forgiving_ = false;
-  program_.files.back().rest = TakeComments();
+  program_.files.back().rest = comments_.TakeComments();
 }
 
 }  // namespace plcxx::prostep

@@ -1,14 +1,13 @@
-// Which comment belongs to what: everything up to an item is its own, as is what stands after it on its last line.
-#include "transpiler/dialects/prostep/parser/internal.h"
+#include "transpiler/dialects/prostep/parser/comment_reader.h"
 
 namespace plcxx::prostep {
 
-void Parser::AddComment(source::Range range, CommentPlace place) {
+void CommentReader::AddComment(source::Range range, CommentPlace place) {
   program_.comments.push_back({.range = range, .place = place, .blank_line_before = blank_line_before_});
   blank_line_before_ = false;
 }
 
-Span Parser::TakeComments() {
+Span CommentReader::TakeComments() {
   if (!file_has_items_) AttachHeader(program_.files.back());
   file_has_items_ = true;
   const auto size = static_cast<uint32_t>(program_.comments.size());
@@ -19,7 +18,7 @@ Span Parser::TakeComments() {
 }
 
 /// The comments in front of the first item up to the last blank line.
-void Parser::AttachHeader(SourceFile& file) {
+void CommentReader::AttachHeader(SourceFile& file) {
   const auto size = static_cast<uint32_t>(program_.comments.size());
   uint32_t end = size;
   if (!blank_line_before_) {
@@ -29,7 +28,7 @@ void Parser::AttachHeader(SourceFile& file) {
   first_free_comment_ = end;
 }
 
-void Parser::AttachTrailing(Span& comments, const Token& comment) {
+void CommentReader::AttachTrailing(Span& comments, const Token& comment) {
   if (comment.range.end <= comment.range.begin) return;
   AddComment(comment.range, CommentPlace::kTrailing);
   ++comments.count;
@@ -37,7 +36,7 @@ void Parser::AttachTrailing(Span& comments, const Token& comment) {
 }
 
 /// Everything since the instruction's own line stands inside it.
-void Parser::AttachInside(Instruction& instruction, const Token& comment) {
+void CommentReader::AttachInside(Instruction& instruction, const Token& comment) {
   Span& comments = instruction.comments;
   const auto size = static_cast<uint32_t>(program_.comments.size());
   for (uint32_t i = comments.first; i < size; ++i) {

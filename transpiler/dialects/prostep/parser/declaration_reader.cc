@@ -1,9 +1,8 @@
-// DDB, DDW, DDD, DMF, DM, DT (specification section 9).
+#include "transpiler/dialects/prostep/parser/declaration_reader.h"
+
 #include <algorithm>
 #include <array>
-#include <set>
 
-#include "transpiler/dialects/prostep/parser/internal.h"
 #include "transpiler/source/decode.h"
 
 namespace plcxx::prostep {
@@ -35,7 +34,7 @@ std::string_view RangeOfValue(uint32_t bytes) {
 
 }  // namespace
 
-void Parser::TakeDeclaration(const LexedFile& lexed, const Line& line) {
+void DeclarationReader::TakeDeclaration(const LexedFile& lexed, const Line& line) {
   std::vector<Token> tokens;
   Token comment;
   for (uint32_t i = 0; i < line.tokens.count; ++i) {
@@ -49,14 +48,14 @@ void Parser::TakeDeclaration(const LexedFile& lexed, const Line& line) {
   const source::Range range = {tokens.front().range.begin, tokens.back().range.end};
   const std::string word = UpperOf(tokens.front());
   Span comments;
-  if (waiting_.found < waiting_.most) {
+  if (now_.waiting.found < now_.waiting.most) {
     // Between an instruction and its operand lines: all comments are the instruction's.
-    if (comment.range.end > comment.range.begin) AddComment(comment.range, CommentPlace::kLeading);
+    if (comment.range.end > comment.range.begin) comments_.AddComment(comment.range, CommentPlace::kLeading);
   } else {
-    comments = TakeComments();
-    AttachTrailing(comments, comment);
+    comments = comments_.TakeComments();
+    comments_.AttachTrailing(comments, comment);
   }
-  if (seen_module_) {
+  if (now_.seen_module) {
     const source::Range name = {tokens[0].range.begin, tokens[1].range.end};
     diagnostics_.Report(name, diag::ProstepDeclarationLate, word + " " + std::string(TextOf(tokens[1])));
   }
@@ -66,7 +65,8 @@ void Parser::TakeDeclaration(const LexedFile& lexed, const Line& line) {
   DeclareData(word, tokens, range, comments);
 }
 
-void Parser::DeclareData(std::string_view word, const std::vector<Token>& tokens, source::Range range, Span comments) {
+void DeclarationReader::DeclareData(std::string_view word, const std::vector<Token>& tokens, source::Range range,
+                                    Span comments) {
   const uint32_t bytes = word == "DDB" ? 1 : word == "DDW" ? 2 : 4;
   const std::string_view digits = TextOf(tokens[1]);
   const std::string text = std::string(word) + " " + std::string(digits);
@@ -102,7 +102,7 @@ void Parser::DeclareData(std::string_view word, const std::vector<Token>& tokens
   program_.data.push_back(declared);
 }
 
-void Parser::CheckIoCount(const DataDeclaration& declared, std::string_view text, source::Range range) {
+void DeclarationReader::CheckIoCount(const DataDeclaration& declared, std::string_view text, source::Range range) {
   if (declared.bytes != 2) return;
   const bool inputs = declared.address == kInputCountAddress;
   if (!inputs && declared.address != kOutputCountAddress) return;
@@ -114,7 +114,7 @@ void Parser::CheckIoCount(const DataDeclaration& declared, std::string_view text
   }
 }
 
-void Parser::WarnOfOverlap(const DataDeclaration& declared, std::string_view text) {
+void DeclarationReader::WarnOfOverlap(const DataDeclaration& declared, std::string_view text) {
   const auto index = static_cast<uint32_t>(program_.data.size());
   bool warned = false;
   for (uint32_t i = 0; i < declared.bytes; ++i) {
@@ -129,8 +129,8 @@ void Parser::WarnOfOverlap(const DataDeclaration& declared, std::string_view tex
   }
 }
 
-std::optional<uint8_t> Parser::DeclarationNumber(std::string_view word, const Token& number, uint32_t first,
-                                                 uint32_t last) {
+std::optional<uint8_t> DeclarationReader::DeclarationNumber(std::string_view word, const Token& number, uint32_t first,
+                                                            uint32_t last) {
   const std::string_view digits = TextOf(number);
   if (!std::ranges::all_of(digits, IsDigit)) {
     diagnostics_.Report(number.range, diag::ProstepDeclarationNumberMalformed, word, digits, first, last);
@@ -145,8 +145,8 @@ std::optional<uint8_t> Parser::DeclarationNumber(std::string_view word, const To
   return static_cast<uint8_t>(value);
 }
 
-bool Parser::IsFirst(std::map<uint8_t, source::Range>& declared, std::string_view name, uint8_t number,
-                     source::Range range) {
+bool DeclarationReader::IsFirst(std::map<uint8_t, source::Range>& declared, std::string_view name, uint8_t number,
+                                source::Range range) {
   const auto [entry, is_new] = declared.emplace(number, range);
   if (!is_new) {
     diagnostics_.Report(range, diag::ProstepDeclaredTwice, name).notes.push_back({entry->second, "first defined here"});
@@ -154,7 +154,7 @@ bool Parser::IsFirst(std::map<uint8_t, source::Range>& declared, std::string_vie
   return is_new;
 }
 
-void Parser::DeclareMFunction(const std::vector<Token>& tokens, source::Range range, Span comments) {
+void DeclarationReader::DeclareMFunction(const std::vector<Token>& tokens, source::Range range, Span comments) {
   constexpr uint32_t kLastMFunction = 99;
   const auto number = DeclarationNumber("DMF", tokens[1], 0, kLastMFunction);
   if (!number) return;
@@ -170,7 +170,8 @@ void Parser::DeclareMFunction(const std::vector<Token>& tokens, source::Range ra
   program_.m_functions.push_back(function);
 }
 
-bool Parser::TakeSwitch(const Token& token, std::string_view name, MFunction& function, std::set<char>& seen) {
+bool DeclarationReader::TakeSwitch(const Token& token, std::string_view name, MFunction& function,
+                                   std::set<char>& seen) {
   const std::string_view text = TextOf(token);
   std::string written = Upper(text);
   std::erase_if(written, IsBlank);
@@ -200,7 +201,7 @@ bool Parser::TakeSwitch(const Token& token, std::string_view name, MFunction& fu
   return true;
 }
 
-void Parser::WarnOfSharedBits(const MFunction& function) {
+void DeclarationReader::WarnOfSharedBits(const MFunction& function) {
   const auto warn = [&](uint8_t MFunction::* bit, std::string_view kind) {
     if (function.*bit == 0) return;
     const auto other = std::ranges::find_if(program_.m_functions,
@@ -215,7 +216,8 @@ void Parser::WarnOfSharedBits(const MFunction& function) {
   warn(&MFunction::dynamic_bit, "dynamic bit");
 }
 
-void Parser::DeclareText(std::string_view word, const std::vector<Token>& tokens, source::Range range, Span comments) {
+void DeclarationReader::DeclareText(std::string_view word, const std::vector<Token>& tokens, source::Range range,
+                                    Span comments) {
   const bool message = word == "DM";
   const auto number = DeclarationNumber(word, tokens[1], 1, message ? kMessages : kMenuTexts);
   if (!number) return;
