@@ -1,8 +1,5 @@
 #include "transpiler/dialects/host50/parser/operand_reader.h"
 
-#include <bit>
-#include <limits>
-
 namespace plcxx::host50 {
 namespace {
 

@@ -49,13 +49,11 @@ class StatementReader {
         files_(parsing.files),
         now_(parsing.now) {}
 
+ protected:
   void EnterFile(uint32_t file);
   /// The cursor at the first token of a statement that may report one error.
   void Begin(const Line& line);
   void Begin(std::span<const Token> tokens, source::Range statement);
-  bool failed() const { return now_.failed; }
-
- protected:
   Token Peek(size_t ahead = 0) const;
   Token Take();
   bool At(TokenKind kind) const { return Peek().kind == kind; }
