@@ -128,6 +128,12 @@ TEST(HncRounds, OfRanges) {
       {"if (n == 9) for (i = 0; i < n; i++) a++;", 9},
       {"if (n > 9 || b) return; for (i = 0; i < n; i++) a++;", 9},
       {"if (n < 9 && n > 3) for (i = n; i < 20; i++) a++;", 16},
+      // Of a bit-field its width is known, and nothing that is known of all its bytes.
+      {"union { int i; struct { int f : 4; } s; } v; v.i = 8; for (i = 4; i > v.s.f; i--) a++;", 12},
+      {"union { int i; struct { int f : 4; } s; } v; if (v.i == 8) for (i = 4; i > v.s.f; i--) a++;", 12},
+      {"struct { int f : 4; unsigned g : 5; } s; for (i = 7; i >= s.f; i--) a++;", 16},
+      {"struct { int f : 4; unsigned g : 5; } s; for (i = 0; i < s.g; i++) a++;", 31},
+      {"union { int i; unsigned u; } v; v.i = 8; for (i = 0; i < v.u; i++) a++;", 8},
       // What abs and labs give.
       {"for (i = 0; i < abs((X[0] & 7) - 9); i++) a++;", 9},
       {"for (i = abs((X[0] & 7) - 9); i < 9; i++) a++;", 7},
@@ -188,6 +194,8 @@ TEST(HncRounds, WhatIsNoProofIsRefused) {
            "union { long l; float f; } v; v.l = 0; while (v.l != 5) v.f += 1;",
            "union { int i; struct { int f : 5; } s; } v; v.i = 0; while (v.i < 100) v.s.f++;",
            "union { int i; struct { unsigned f : 5; } s; } v; for (v.i = 0; v.i < 100; v.s.f = v.s.f + 1) a++;",
+           "union { int i; struct { int f : 5; } s; } v; for (v.i = 0; v.i < 20; v.i = v.s.f + 1) a++;",
+           "union { int i; struct { int f : 5; int g : 11; } s; } v; for (v.i = 9; v.i > 0; v.i = v.s.g - 1) a++;",
            "n = 5; while ((float)n) n--;",
            // 6.6, 3: the limit.
            "for (i = 0; i < n; i++) n++;",
@@ -225,6 +233,7 @@ TEST(HncRounds, WhatIsNoProofIsRefused) {
   }
   for (const char* loop : {
            "union { int i; unsigned u; } v; for (v.i = 0; v.i < 10; v.u++) a++;",
+           "union { int i; unsigned u; } v; for (v.i = 0; v.i < 10; v.i = v.u + 1) a++;",
            "for (i = 0; i < table[3]; i++) table[2] = 5;",
            "for (i = 0; i < table[b & 7]; i++) a = 5;",
            "for (R_ui[2] = 0; R_ui[2] < 10; R_ui[2]++) R[6] = 0;",

@@ -488,6 +488,19 @@ std::optional<StaticAddress> Facts::AddressOf(ExprId lvalue) const {
   return std::nullopt;
 }
 
+const Member* Facts::BitFieldOf(ExprId lvalue) const {
+  const Expr& expr = unit_.expressions[lvalue];
+  if (expr.kind != ExprKind::kMember) return nullptr;
+  const Member& member = unit_.records[unit_.TypeOf(expr.a).record].members[expr.member];
+  return member.is_bit_field ? &member : nullptr;
+}
+
+std::optional<Cell> Facts::IntegerCellOf(ExprId lvalue) const {
+  const std::optional<StaticAddress> at = AddressOf(lvalue);
+  if (!at || !IsInteger(unit_.TypeOf(lvalue)) || BitFieldOf(lvalue) != nullptr) return std::nullopt;
+  return Cell{at->object, at->offset, unit_.TypeOf(lvalue).size};
+}
+
 std::optional<StaticAddress> Facts::PointeeOf(ExprId pointer) const {
   if (!pointer.valid()) return std::nullopt;
   const Expr& expr = unit_.expressions[pointer];

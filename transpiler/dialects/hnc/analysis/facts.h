@@ -40,6 +40,11 @@ class Facts {
   /// The place of an lvalue, or what a pointer refers to, when constants tell it.
   std::optional<StaticAddress> AddressOf(ExprId lvalue) const;
   std::optional<StaticAddress> PointeeOf(ExprId pointer) const;
+  /// The bit-field that an lvalue is; null: it is none.
+  const Member* BitFieldOf(ExprId lvalue) const;
+  /// The bytes of an lvalue that is a whole integer at a constant place. Not of a bit-field, which shares its bytes
+  /// with others, nor of a real number that a union has there.
+  std::optional<Cell> IntegerCellOf(ExprId lvalue) const;
 
   /// Which parts reach the function; 0: none.
   uint8_t PartsOf(FunctionId function) const { return parts_[function.index]; }

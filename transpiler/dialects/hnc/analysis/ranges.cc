@@ -4,11 +4,13 @@
 
 namespace plcxx::hnc {
 
-Bounds BoundsOf(const Type& type) {
-  const int64_t count = int64_t{1} << type.bits;
-  if (type.is_signed) return {-count / 2, count / 2 - 1};
+Bounds BoundsOf(uint32_t bits, bool is_signed) {
+  const int64_t count = int64_t{1} << bits;
+  if (is_signed) return {-count / 2, count / 2 - 1};
   return {0, count - 1};
 }
+
+Bounds BoundsOf(const Type& type) { return BoundsOf(type.bits, type.is_signed); }
 
 std::optional<Bounds> Meet(const Bounds& a, const Bounds& b) {
   const Bounds both{std::max(a.low, b.low), std::min(a.high, b.high)};

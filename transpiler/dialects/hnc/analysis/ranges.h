@@ -23,6 +23,8 @@ struct Bounds {
 
 /// All values of an integer type.
 Bounds BoundsOf(const Type& type);
+/// All values that so many bits of a number have.
+Bounds BoundsOf(uint32_t bits, bool is_signed);
 constexpr Bounds Join(const Bounds& a, const Bounds& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 /// The values in both; none: there is none.
 std::optional<Bounds> Meet(const Bounds& a, const Bounds& b);

@@ -150,7 +150,7 @@ Value Accesses::InBitField(const Value& digits, const Lvalue& lvalue) {
     result = operators_.BinaryInteger(
         BinaryOp::kSubtract, operators_.BinaryInteger(BinaryOp::kBitXor, result, sign, nowhere), sign, nowhere);
     result.type = int_;
-    result.bounds = {-(int64_t{1} << (field.bit_width - 1)), (int64_t{1} << (field.bit_width - 1)) - 1};
+    result.bounds = BoundsOf(field.bit_width, true);
   }
   return conversions_.Convert(result, lvalue.type);
 }

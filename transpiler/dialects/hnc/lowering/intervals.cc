@@ -70,15 +70,8 @@ std::optional<Cell> Intervals::CellOfRead(ExprId id) const {
     if (!IsInteger(from) || !IsInteger(to) || !BoundsOf(from).Within(BoundsOf(to))) return std::nullopt;
     id = ExprAt(id).a;
   }
-  if (!id.valid() || ExprAt(id).kind != ExprKind::kLoad || !IsInteger(TypeAt(ExprAt(id).type))) return std::nullopt;
-  const std::optional<StaticAddress> at = facts_.AddressOf(ExprAt(id).a);
-  if (!at) return std::nullopt;
-  const Expr& lvalue = ExprAt(ExprAt(id).a);
-  if (lvalue.kind == ExprKind::kMember &&
-      unit_.records[TypeAt(ExprAt(lvalue.a).type).record].members[lvalue.member].is_bit_field) {
-    return std::nullopt;
-  }
-  return Cell{at->object, at->offset, TypeAt(ExprAt(id).type).size};
+  if (!id.valid() || ExprAt(id).kind != ExprKind::kLoad) return std::nullopt;
+  return facts_.IntegerCellOf(ExprAt(id).a);
 }
 
 void Intervals::RefineComparison(const Expr& expr, bool holds) {
@@ -195,16 +188,16 @@ void Intervals::Refine(ExprId condition, bool holds) {
 }
 
 /// What a constant object of the source has from its initialiser, where no store can reach it.
-std::optional<Bounds> Intervals::DeclaredBounds(const StaticAddress& at, const Type& type) const {
-  const Object& object = objects_[at.object];
+std::optional<Bounds> Intervals::DeclaredBounds(const Cell& cell) const {
+  const Object& object = objects_[cell.object];
   if (object.kind != ObjectKind::kVariable) return std::nullopt;
   const Variable& variable = unit_.variables[VariableId(object.index)];
   if (!variable.is_const || !variable.initialised) return std::nullopt;
   for (uint32_t i = 0; i < unit_.functions.size(); ++i) {
-    if (facts_.WritesOf(FunctionId(i)).Has(at.object)) return std::nullopt;
+    if (facts_.WritesOf(FunctionId(i)).Has(cell.object)) return std::nullopt;
   }
   for (const InitialValue& initial : variable.initial) {
-    if (initial.offset != at.offset || initial.is_bit_field || TypeAt(initial.type).size != type.size) continue;
+    if (initial.offset != cell.offset || initial.is_bit_field || TypeAt(initial.type).size != cell.size) continue;
     if (!IsInteger(TypeAt(initial.type))) return std::nullopt;  // a union of a real number and an integer
     const std::optional<Constant>& value = ExprAt(initial.value).constant;
     if (!value) return std::nullopt;
@@ -221,15 +214,16 @@ Bounds Intervals::BoundsOfExpr(ExprId id, Origin believed) {
   if (expr.constant) return {expr.constant->integer, expr.constant->integer};
   switch (expr.kind) {
     case ExprKind::kLoad: {
-      const std::optional<StaticAddress> at = facts_.AddressOf(expr.a);
-      if (!at) return all;
+      if (const Member* field = facts_.BitFieldOf(expr.a))
+        return BoundsOf(field->bit_width, TypeAt(field->type).is_signed);
+      const std::optional<Cell> cell = facts_.IntegerCellOf(expr.a);
+      if (!cell) return all;
       // The same bytes may have been looked at through a type with the other sign.
-      const Cell cell{at->object, at->offset, type.size};
-      const bool all_count = believed != Origin::kTested || IsLocalObject(at->object);
-      std::optional<Bounds> known = all_count ? flow_.Find(cell) : flow_.FindTested(cell);
+      const bool all_count = believed != Origin::kTested || IsLocalObject(cell->object);
+      std::optional<Bounds> known = all_count ? flow_.Find(*cell) : flow_.FindTested(*cell);
       if (believed == Origin::kDeclared) {
         // A comparison before may have said less of the object than its declaration does.
-        const std::optional<Bounds> declared = DeclaredBounds(*at, type);
+        const std::optional<Bounds> declared = DeclaredBounds(*cell);
         if (declared) known = known ? Meet(*known, *declared) : declared;
       }
       return known && known->Within(all) ? *known : all;

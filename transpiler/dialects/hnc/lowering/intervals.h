@@ -35,7 +35,7 @@ class Intervals : Context {
 
  private:
   void RefineComparison(const Expr& expr, bool holds);
-  std::optional<Bounds> DeclaredBounds(const StaticAddress& at, const Type& type) const;
+  std::optional<Bounds> DeclaredBounds(const Cell& cell) const;
 
   std::unordered_map<uint32_t, Bounds> results_;  // by FunctionId
 };

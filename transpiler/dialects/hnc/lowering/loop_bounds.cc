@@ -85,7 +85,7 @@ ExprId LoopBounds::Unwidened(ExprId id, uint32_t bits) const {
 }
 
 /// The constant by which an expression changes the cell; none: otherwise, or not at all.
-std::optional<int64_t> LoopBounds::StepOf(const Expr& expr, const StaticAddress& counter) const {
+std::optional<int64_t> LoopBounds::StepOf(const Expr& expr, const Cell& counter) const {
   switch (expr.kind) {
     case ExprKind::kIncrement: {
       const bool up = expr.increment == IncrementOp::kPreIncrement || expr.increment == IncrementOp::kPostIncrement;
@@ -107,8 +107,7 @@ std::optional<int64_t> LoopBounds::StepOf(const Expr& expr, const StaticAddress&
         if (minus && turned) break;
         const ExprId read = Unwidened(turned ? sum.b : sum.a, TypeAt(expr.type).bits);
         const Expr& step = ExprAt(turned ? sum.a : sum.b);
-        if (ExprAt(read).kind != ExprKind::kLoad || facts_.AddressOf(ExprAt(read).a) != counter) continue;
-        if (TypeAt(ExprAt(read).type).bits != TypeAt(expr.type).bits) continue;
+        if (ExprAt(read).kind != ExprKind::kLoad || facts_.IntegerCellOf(ExprAt(read).a) != counter) continue;
         if (!step.constant || !IsInteger(TypeAt(step.type))) continue;
         return minus ? -step.constant->integer : step.constant->integer;
       }
@@ -178,15 +177,6 @@ std::optional<LoopProof> LoopBounds::Prove(const LoopShape& loop, Refusal& refus
   return best;
 }
 
-/// Whether a step of the lvalue is one of the integer in its bytes: not of a bit field, and not of a real number that a
-/// union has there.
-bool LoopBounds::IsWholeInteger(ExprId lvalue) const {
-  const Expr& expr = ExprAt(lvalue);
-  const bool field = expr.kind == ExprKind::kMember &&
-                     unit_.records[TypeAt(ExprAt(expr.a).type).record].members[expr.member].is_bit_field;
-  return !field && IsInteger(TypeAt(expr.type));
-}
-
 /// The only store into the cell; more than one, or one that is not plain: none.
 std::optional<ExprId> LoopBounds::OnlyStore(const Cell& cell, const std::vector<ExprId>& parts,
                                             Refusal& refusal) const {
@@ -203,7 +193,7 @@ std::optional<ExprId> LoopBounds::OnlyStore(const Cell& cell, const std::vector<
                                           : "a store through a pointer or an index may change its counter");
       return std::nullopt;
     }
-    if (!IsWholeInteger(expr.a) || Cell{at->object, at->offset, TypeAt(ExprAt(expr.a).type).size} != cell) {
+    if (facts_.IntegerCellOf(expr.a) != cell) {
       refusal.Add(ProofStep::kChange, "its counter is changed in part");
       return std::nullopt;
     }
@@ -263,13 +253,13 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const LoopShape& l
     add(root, {}, BinaryOp::kNotEqual);
   }
   for (const Relation& relation : candidates) {
-    const std::optional<StaticAddress> counter = facts_.AddressOf(relation.counter);
+    const std::optional<Cell> counter = facts_.IntegerCellOf(relation.counter);
+    if (!counter) continue;
+    const Cell cell = *counter;
     const Type& type = TypeAt(ExprAt(relation.counter).type);
-    if (!counter || !IsWholeInteger(relation.counter)) continue;
-    const Cell cell{counter->object, counter->offset, type.size};
     const std::optional<ExprId> store = OnlyStore(cell, parts, refusal);
-    if (!store || declared.Has(counter->object)) continue;
-    const std::optional<int64_t> step = StepOf(ExprAt(*store), *counter);
+    if (!store || declared.Has(cell.object)) continue;
+    const std::optional<int64_t> step = StepOf(ExprAt(*store), cell);
     if (!step || *step == 0) {
       refusal.Add(ProofStep::kChange, "its counter does not change by a constant");
       continue;

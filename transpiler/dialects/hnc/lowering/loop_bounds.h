@@ -26,9 +26,8 @@ class LoopBounds : Context {
 
  private:
   ExprId Unwidened(ExprId id, uint32_t bits) const;
-  std::optional<int64_t> StepOf(const Expr& expr, const StaticAddress& counter) const;
+  std::optional<int64_t> StepOf(const Expr& expr, const Cell& counter) const;
   std::optional<ExprId> OnlyStore(const Cell& cell, const std::vector<ExprId>& parts, Refusal& refusal) const;
-  bool IsWholeInteger(ExprId lvalue) const;
   bool IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const;
   std::optional<LoopProof> ProveBy(ExprId conjunct, const LoopShape& loop, const std::vector<ExprId>& parts,
                                    const ObjectSet& declared, Refusal& refusal);

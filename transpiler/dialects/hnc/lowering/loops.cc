@@ -128,7 +128,7 @@ void Loops::Iterations(const Statement& statement, uint32_t on_continue, bool le
   if (values != nullptr && values->in_body) {
     const std::optional<Bounds> known = flow_.Find(proof->counter);
     const std::optional<Bounds> both = known ? Meet(*known, *values->in_body) : values->in_body;
-    if (both) flow_.Narrow(proof->counter, *both);
+    if (both) flow_.Learn(proof->counter, *both, origin);
   }
   const uint64_t outer_rounds = std::exchange(rounds_around_, std::min(rounds_around_ * rounds, kMostRounds + 1));
   builder_.SetRegion(loop.body);
