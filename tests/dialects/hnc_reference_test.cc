@@ -104,10 +104,12 @@ TEST(HncReference, VariablesAreTheBytesThatTheyHave) {
            "count; count++; } n = kept + bytes[n & 1]; }\n" +
                std::string(kWorkingEntries));
   std::map<std::string, std::string> variables;
+  std::map<std::string, uint32_t> begins;
   for (const ir::ReferenceVariable& variable : described.reference.variables) {
     EXPECT_FALSE(variables.contains(variable.name)) << variable.name;
     variables[variable.name] = std::to_string(variable.at.bytes) + (variable.is_constant ? " constant" : "") +
                                (variable.is_table ? " table" : "");
+    begins[variable.name] = variable.at.offset;
   }
   // 5.1: the areas with each of their views; 9.2: the periods.
   for (const auto& [area, bytes] : std::vector<std::pair<std::string, std::string>>{{"X", "128"},
@@ -119,10 +121,14 @@ TEST(HncReference, VariablesAreTheBytesThatTheyHave) {
                                                                                     {"G", "512 table"}}) {
     for (const char* view : {"", "_uc", "_c", "_ui", "_i", "_ul", "_l"}) {
       EXPECT_EQ(variables[area + view], bytes) << area << view;
+      EXPECT_EQ(begins[area + view], 0U) << area << view;
     }
   }
   EXPECT_EQ(variables["plc1_time"], "2");
   EXPECT_EQ(variables["plc2_time"], "2");
+  // One after the other in the order of their declarations.
+  EXPECT_EQ(begins["kept"], begins["n"] + 2);
+  EXPECT_EQ(begins["bytes"], begins["n"] + 6);
   EXPECT_EQ(variables["n"], "2");
   EXPECT_EQ(variables["kept"], "4 constant");
   EXPECT_EQ(variables["bytes"], "3");

@@ -291,6 +291,36 @@ TEST(EmitLoops, ABudgetOfTheStateSurvivesThePeriod) {
   EXPECT_THAT(program.Source(), HasSubstr("if (m[left] != 0) {\n        m[left] = m[left] - 1;\n        continue;\n"));
 }
 
+// The comment of a statement without code is no code that the end of the body could be reached behind.
+TEST(EmitLoops, BehindAJumpBackACommentIsNoWayOut) {
+  const std::string source = RunProgram(Period(R"(
+  stmt s1
+  %0 = const i32 4
+  store rounds %0
+  block @2 {
+    loop @1 budget 0 rounds {
+      body {
+        stmt s2
+        %0 = load k
+        %1 = const i8 3
+        %2 = add.i8 %0 %1
+        store k %2
+        %3 = load a
+        exit @1 if %3
+        repeat @1 refused {
+          exit @2
+        }
+        stmt s3
+      }
+    }
+    stmt s4
+    %0 = load b
+    store c %0
+  }
+)"));
+  EXPECT_THAT(source, HasSubstr("      continue;\n    }\n    return;\n  }\n"));
+}
+
 TEST(EmitLoops, RepeatsAndExitsThroughOtherLoopsGoByLabels) {
   const std::string source = RunProgram(R"(statement s3 subject "F1"
 )" + Period(R"(

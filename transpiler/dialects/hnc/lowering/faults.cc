@@ -51,8 +51,6 @@ void Faults::Record(Fault fault) {
 }
 
 void Faults::RecordWhen(ValueId condition, Fault fault) {
-  const ir::Inst& inst = program_[condition];
-  if (inst.op == ir::OpKind::kConst && inst.a == 0) return;
   builder_.When(condition, [&] { Record(fault); });
 }
 

@@ -102,8 +102,6 @@ ValueId SystemRoutines::DividesByZero(SystemFunction function, const std::vector
   // The way of set_axis_moveto is p - pout - pic_a: with pic_a = -2^31 it is -2^31 too when p is pout.
   const ValueId far = Pure(OpKind::kEqual32, {arguments[1], move ? builder_.Constant(ir::Type::kI32, kMostNegative, 16)
                                                                  : AxisWord(Area::kF, 1, ir::Type::kI32, axis)});
-  const ir::Inst& known = program_[far];
-  if (known.op == OpKind::kConst && known.a == 0) return {};
   const ValueId rest = AxisWord(Area::kG, 1, ir::Type::kI32, axis);
   return Pure(OpKind::kBitAnd,
               {far, Pure(OpKind::kEqual32, {rest, builder_.Constant(ir::Type::kI32, kMostNegative, 16)})});
