@@ -21,13 +21,14 @@ class ParsingContext {
   ParsingContext(const source::SourceManager& all_sources, diag::Engine& engine, const Settings& options)
       : sources(all_sources), diagnostics(engine), settings(options), names(program.symbols, options.names) {}
 
-  /// What is reported from now on belongs to statement `number`, which stands in `in` (none: in a file). Statements are
-  /// numbered in the order of the text.
+  /// What is reported from now on belongs to statement `number`, which is located in `in` (none: in a file). Statements
+  /// are numbered in the order of the text.
   void BeginStatement(uint32_t number, ExpansionId in) {
     statement = number;
     expansion = in;
     faulty = false;
   }
+  void NextStatement(ExpansionId in) { BeginStatement(statement + 1, in); }
 
   /// A statement that is in error gives no further errors (10.5).
   template <class... Args, class... Values>

@@ -1,13 +1,15 @@
-#include <algorithm>
+#include "transpiler/dialects/technol/parser/usage.h"
 
-#include "transpiler/dialects/technol/parser/internal.h"
+#include <algorithm>
+#include <set>
+
+#include "transpiler/dialects/technol/parser/macros.h"
 
 namespace plcxx::technol {
 
-/// TW004. A definition file's constants serve many programs, so those that one of them leaves out are no fault.
-void Parser::WarnOfUnused() {
-  if (context_.diagnostics.HasErrors()) return;  // its use may be in a statement that was not understood
-  Program& program = context_.program;
+void WarnOfUnused(ParsingContext& context, std::span<const source::FileId> sources) {
+  if (context.diagnostics.HasErrors()) return;  // its use may be in a statement that was not understood
+  Program& program = context.program;
   std::set<std::pair<Area, uint32_t>> used_bytes;  // as a whole, by whichever of their names
   for (const Symbol& symbol : program.symbols) {
     if (symbol.kind == SymbolKind::kCell && symbol.uses > 0) used_bytes.emplace(symbol.area, symbol.offset);
@@ -28,8 +30,7 @@ void Parser::WarnOfUnused() {
         if (!used_bytes.contains({symbol.area, symbol.offset})) kind = "bit";
         break;
       case SymbolKind::kConstant:
-        if (std::ranges::find(sources_, context_.sources.FileAt(symbol.range.begin)) != sources_.end())
-          kind = "constant";
+        if (std::ranges::find(sources, context.sources.FileAt(symbol.range.begin)) != sources.end()) kind = "constant";
         break;
       case SymbolKind::kLabel:
         kind = "label";
@@ -41,11 +42,11 @@ void Parser::WarnOfUnused() {
         break;
     }
     if (kind.empty()) continue;
-    context_.BeginStatement(0, {});
+    context.BeginStatement(0, {});
     if (symbol.kind == SymbolKind::kBit) {
-      context_.Report(symbol.range, diag::TechnolUnusedBit, WrittenName(symbol.name));
+      context.Report(symbol.range, diag::TechnolUnusedBit, WrittenName(symbol.name));
     } else {
-      context_.Report(symbol.range, diag::TechnolUnused, kind, WrittenName(symbol.name));
+      context.Report(symbol.range, diag::TechnolUnused, kind, WrittenName(symbol.name));
     }
   }
 }

@@ -1,6 +1,7 @@
+#include "transpiler/dialects/technol/parser/include_reader.h"
+
 #include <algorithm>
 
-#include "transpiler/dialects/technol/parser/internal.h"
 #include "transpiler/dialects/technol/source/sources.h"
 #include "transpiler/source/find_file.h"
 
@@ -22,10 +23,10 @@ std::string_view PathOf(const Token& token) {
 }  // namespace
 
 /// A plain name beside the including source and below -I; a quoted one in the system's directories, then below -I.
-std::optional<std::string> Parser::FindInclude(std::string_view name, TokenKind form) const {
+std::optional<std::string> IncludeReader::FindInclude(std::string_view name, TokenKind form) const {
   std::vector<std::string> directories;
   if (form == TokenKind::kPath) {
-    directories.push_back(DirectoryOf(context_.sources.Get(file_).path));
+    directories.push_back(DirectoryOf(context_.sources.Get(now_.file).path));
   } else {
     directories = request_.system_include_directories;
   }
@@ -38,7 +39,7 @@ std::optional<std::string> Parser::FindInclude(std::string_view name, TokenKind 
 
 /// A name that climbs or is absolute may lead to what is no part of the program: only to where a source of the command
 /// line is, or to a directory that an option gives.
-bool Parser::MayInclude(std::string_view name, const std::string& path) const {
+bool IncludeReader::MayInclude(std::string_view name, const std::string& path) const {
   if (!source::LeavesDirectory(name)) return true;
   const auto is_above = [&](const std::string& directory) { return source::LiesBelow(path, directory); };
   return std::ranges::any_of(request_.include_directories, is_above) ||
@@ -49,7 +50,7 @@ bool Parser::MayInclude(std::string_view name, const std::string& path) const {
 }
 
 /// Not valid when the file cannot be read (reported). A file that is included again keeps its places.
-source::FileId Parser::LoadInclude(const std::string& path, const Token& name) {
+source::FileId IncludeReader::LoadInclude(const std::string& path, const Token& name) {
   const std::string identity = source::FileIdentity(path);
   if (const auto known = included_.find(identity); known != included_.end()) return known->second;
   source::LoadOptions options = SourceOptions();
@@ -70,65 +71,50 @@ source::FileId Parser::LoadInclude(const std::string& path, const Token& name) {
   return file;
 }
 
-void Parser::TakeInclude(const Statement& statement) {
+std::optional<IncludedFile> IncludeReader::ReadInclude(const Statement& statement) {
   if (CurrentUnit().valid()) {
     context_.Report(statement.range, diag::TechnolStrayLine, "T_INCLUDE", "stands outside modules and mechanisms");
-    return;
+    return std::nullopt;
   }
   if (statement.words.size() < 2) {
     context_.Report(statement.range, diag::TechnolOperandMissing, "T_INCLUDE", "the name of a file");
-    return;
+    return std::nullopt;
   }
   const Token& name = statement.words[1];
   if (name.kind == TokenKind::kOpenString) {
     context_.Report(name.range, diag::TechnolStringOpen, name.text);
-    return;
+    return std::nullopt;
   }
-  if (!ExpectEnd(statement, 2)) return;
-  if (statement.label != nullptr && !in_data_) TakeLabel(statement);
+  if (!ExpectEnd(statement, 2)) return std::nullopt;
+  if (statement.label != nullptr && !now_.in_data) code_.ReadLabel(statement);
   const std::optional<std::string> path = FindInclude(PathOf(name), name.kind);
   if (!path) {
     context_.Report(name.range, diag::TechnolIncludeMissing, PathOf(name), "no such file");
-    return;
+    return std::nullopt;
   }
   if (!MayInclude(PathOf(name), *path)) {
     context_.Report(name.range, diag::TechnolIncludeOutside, PathOf(name));
-    return;
+    return std::nullopt;
   }
   const std::string identity = source::FileIdentity(*path);
-  if (std::ranges::find(including_, identity) != including_.end()) {
+  if (std::ranges::find(now_.including, identity) != now_.including.end()) {
     context_.Report(name.range, diag::TechnolIncludeItself, PathOf(name));
-    return;
+    return std::nullopt;
   }
-  if (including_.size() > kIncludeDepth) {
+  if (now_.including.size() > kIncludeDepth) {
     context_.Report(name.range, diag::TechnolIncludeDepth, PathOf(name));
-    return;
+    return std::nullopt;
   }
-  if (++include_count_ >= kMostIncludes) {
-    if (include_count_ == kMostIncludes) context_.Report(name.range, diag::TechnolIncludeCount, PathOf(name));
-    return;
+  if (++count_ >= kMostIncludes) {
+    if (count_ == kMostIncludes) context_.Report(name.range, diag::TechnolIncludeCount, PathOf(name));
+    return std::nullopt;
   }
   const source::FileId file = LoadInclude(*path, name);
-  if (!file.valid()) return;
-  TakeComments(statement);
-
-  const ExpansionId expansion = context_.expansion;
-  context_.expansion = {};
-  including_.push_back(identity);
-  TakeLines(file);
-  context_.BeginStatement(++statement_number_, {});
-  if (macro_) FinishMacro();
-  if (structure_) {
-    context_.Report(LastLine(file), diag::TechnolEndsMissing, structure_->name);
-    FinishStructure();
-  }
-  waiting_comments_.clear();
-  including_.pop_back();
-  context_.expansion = expansion;
+  if (!file.valid()) return std::nullopt;
+  return IncludedFile{file, identity};
 }
 
-/// INCLUDE x.ASH: the header is built in.
-void Parser::TakeSystemHeader(const Statement& statement) {
+void IncludeReader::ReadSystemHeader(const Statement& statement) {
   if (statement.words.size() < 2) {
     context_.Report(statement.range, diag::TechnolOperandMissing, "INCLUDE", "the name of a file");
     return;

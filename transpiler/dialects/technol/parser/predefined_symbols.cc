@@ -1,5 +1,6 @@
+#include "transpiler/dialects/technol/parser/predefined_symbols.h"
+
 #include "transpiler/dialects/technol/machine/signals.h"
-#include "transpiler/dialects/technol/parser/internal.h"
 
 namespace plcxx::technol {
 namespace {
@@ -29,42 +30,42 @@ Symbol SymbolOf(const Signal& signal, SymbolOrigin origin) {
 
 }  // namespace
 
-void Parser::AddControlSymbols() {
-  for (const Signal& signal : Signals()) context_.names.Add(SymbolOf(signal, SymbolOrigin::kControl), 0);
+void AddControlSymbols(SymbolTable& names) {
+  for (const Signal& signal : Signals()) names.Add(SymbolOf(signal, SymbolOrigin::kControl), 0);
 }
 
-void Parser::AddSignalFile() {
-  const std::string& path = context_.settings.signals;
+void AddSignalFile(dialects::Request& request, ParsingContext& context) {
+  const std::string& path = context.settings.signals;
   if (path.empty()) return;
-  const auto loaded = request_.load(path);
+  const auto loaded = request.load(path);
   if (const auto* error = std::get_if<source::LoadError>(&loaded)) {
-    context_.diagnostics.Report({}, diag::CannotReadSource, path,
-                                error->detail.empty() ? "no such file" : error->detail);
+    context.diagnostics.Report({}, diag::CannotReadSource, path,
+                               error->detail.empty() ? "no such file" : error->detail);
     return;
   }
   const source::FileId file = std::get<source::FileId>(loaded);
-  const source::File& text = context_.sources.Get(file);
-  for (uint32_t i = 0; i < context_.sources.LineCount(file); ++i) {
-    const std::string_view row = TrimBlanks(context_.sources.Line(file, i + 1));
+  const source::File& text = context.sources.Get(file);
+  for (uint32_t i = 0; i < context.sources.LineCount(file); ++i) {
+    const std::string_view row = TrimBlanks(context.sources.Line(file, i + 1));
     if (row.empty() || IsSignalHead(row)) continue;
     const source::Offset begin = text.base + text.line_starts[i];
     const source::Range range = {begin, begin + static_cast<source::Offset>(row.size())};
     const std::optional<Signal> signal = ReadSignal(row);
     if (!signal) {
-      context_.diagnostics.Report(range, diag::BadOptionValue, "signals", row, kColumns);
+      context.diagnostics.Report(range, diag::BadOptionValue, "signals", row, kColumns);
       continue;
     }
     Symbol symbol = SymbolOf(*signal, SymbolOrigin::kSignals);
     symbol.range = range;
-    const SymbolId known = context_.names.Find(symbol.name);
+    const SymbolId known = context.names.Find(symbol.name);
     if (!known.valid()) {
-      context_.names.Add(std::move(symbol), 0);
+      context.names.Add(std::move(symbol), 0);
       continue;
     }
-    const Symbol& other = context_.names[known];
+    const Symbol& other = context.names[known];
     const bool same = other.area == symbol.area && other.offset == symbol.offset && other.bit == symbol.bit &&
                       other.bytes == symbol.bytes;
-    if (!same) context_.diagnostics.Report(range, diag::TechnolPredefined, symbol.name);
+    if (!same) context.diagnostics.Report(range, diag::TechnolPredefined, symbol.name);
   }
 }
 

@@ -1,20 +1,27 @@
-#include "transpiler/dialects/technol/parser/operands_internal.h"
+#include "transpiler/dialects/technol/parser/bit_reader.h"
 
 #include <algorithm>
 
+#include "transpiler/dialects/technol/parser/expressions.h"
+
 namespace plcxx::technol {
 
-/// Is there exactly one operand?
-bool OperandParser::IsSingleBit() {
+int64_t BitReader::CountOperands() const {
   int64_t operands = reader_.AtEnd() ? 0 : 1;
   for (size_t i = 0; reader_.Peek(i) != nullptr; ++i) operands += reader_.IsPunctuation(',', i) ? 1 : 0;
+  return operands;
+}
+
+/// Is there exactly one operand?
+bool BitReader::IsSingleBit() {
+  const int64_t operands = CountOperands();
   if (operands == 1) return true;
   context_.Report(instruction_.range, diag::TechnolOneBit, mnemonic_, operands);
   return false;
 }
 
 /// IN0.1 for the second bit of a DFM: what that bit is called. Empty: the cell is no byte of a DFM.
-std::string OperandParser::BitOfByte(SymbolId cell) const {
+std::string BitReader::BitOfByte(SymbolId cell) const {
   const auto is_bit_of = [&](const Symbol& symbol) { return symbol.kind == SymbolKind::kBit && symbol.byte == cell; };
   if (std::ranges::none_of(context_.program.symbols, is_bit_of)) return {};
   const std::string name = context_.names[cell].name;
@@ -31,7 +38,7 @@ std::string OperandParser::BitOfByte(SymbolId cell) const {
 }
 
 /// The name of a bit or a mechanism.
-std::optional<Operand> OperandParser::ReadBit() {
+std::optional<Operand> BitReader::ReadBitName() {
   const Token& token = *reader_.Peek();
   const auto refuse = [&](std::string_view what) {
     reader_.TakeRest();
@@ -48,7 +55,7 @@ std::optional<Operand> OperandParser::ReadBit() {
     return refuse(upper == "CNST" ? "a constant" : "data");
   }
   if (RegisterByName(upper) != Register::kNone) return refuse("a register");
-  const SymbolId symbol = TakeName("the name of a bit");
+  const SymbolId symbol = ReadName("the name of a bit");
   if (!symbol.valid()) return std::nullopt;
   const Symbol& named = context_.names[symbol];
   if (named.kind == SymbolKind::kMechanism) {
@@ -69,23 +76,7 @@ std::optional<Operand> OperandParser::ReadBit() {
                  .symbol = symbol};
 }
 
-/// AND I1 and the like: the instructions of bits have names of their own.
-void OperandParser::ReportBitAsData(const Token& token) {
-  std::string_view meant;
-  if (instruction_.op == Op::kLod) meant = "LDR";
-  if (instruction_.op == Op::kSto) meant = "WR";
-  if (instruction_.op == Op::kAnd || instruction_.op == Op::kAsmAnd) meant = "LA";
-  if (instruction_.op == Op::kOr || instruction_.op == Op::kAsmOr) meant = "LO";
-  if (instruction_.op == Op::kMov) meant = "LDR and WR";
-  if (instruction_.op == Op::kNot) meant = "LDR with '-' in front of the name";
-  if (meant.empty()) {
-    context_.Report(token.range, diag::TechnolBitAsData, token.text);
-  } else {
-    context_.Report(token.range, diag::TechnolBitAsDataMeant, token.text, mnemonic_, meant);
-  }
-}
-
-void OperandParser::TakeBit(Access access) {
+void BitReader::ReadBit(Access access) {
   if (!IsSingleBit()) return;
   const size_t first = reader_.position();
   const bool negated = reader_.TakePunctuation('-');
@@ -94,55 +85,59 @@ void OperandParser::TakeBit(Access access) {
     return;
   }
   if (!ExpectOperand("the name of a bit")) return;
-  std::optional<Operand> bit = ReadBit();
+  std::optional<Operand> bit = ReadBitName();
   if (!bit) return;
   bit->negated = negated;
   Add(*bit, first);
 }
 
-/// 0 or 1, a comma and a bit.
-void OperandParser::TakeFlag() {
-  int64_t operands = reader_.AtEnd() ? 0 : 1;
-  for (size_t i = 0; reader_.Peek(i) != nullptr; ++i) operands += reader_.IsPunctuation(',', i) ? 1 : 0;
+bool BitReader::ReadFlagValue(int64_t& flag) {
+  const int64_t operands = CountOperands();
   const size_t first = reader_.position();
   const Token* value = reader_.Peek();
   if (operands == 2 && value->kind != TokenKind::kNumber) {
     while (!reader_.IsPunctuation(',')) reader_.Take();
     context_.Report(reader_.RangeFrom(first), diag::TechnolFlagValue, mnemonic_, reader_.TextFrom(first));
-    return;
+    return false;
   }
   const Token* bit_behind = reader_.Peek(1);
   if (operands == 1 && value->kind == TokenKind::kNumber && bit_behind != nullptr) {
     context_.Report(instruction_.range, diag::TechnolFlagComma, mnemonic_,
                     std::string(value->text) + "," + std::string(bit_behind->text));
-    return;
+    return false;
   }
   if (operands != 2) {
     context_.Report(instruction_.range, diag::TechnolOneBit, std::string(mnemonic_) + " with its 0 or 1", operands);
-    return;
+    return false;
   }
   reader_.Take();
   const Number number = ReadNumber(value->text);
   if (number.fault != NumberFault::kNone || number.value > 1) {
     context_.Report(value->range, diag::TechnolFlagValue, mnemonic_, value->text);
-    return;
+    return false;
   }
   Add({.kind = OperandKind::kConstant, .width = 1, .value = number.value}, first);
-  if (!ExpectComma()) return;
-  const size_t second = reader_.position();
+  flag = number.value;
+  return ExpectComma();
+}
+
+void BitReader::ReadFlag() {
+  int64_t flag = 0;
+  if (!ReadFlagValue(flag)) return;
+  const size_t first = reader_.position();
   if (reader_.TakePunctuation('-')) {
     context_.Report(instruction_.range, diag::TechnolNegatedWrite, mnemonic_);
     return;
   }
   if (!ExpectOperand("the name of a bit")) return;
-  const std::optional<Operand> bit = ReadBit();
+  const std::optional<Operand> bit = ReadBitName();
   if (!bit) return;
-  Add(*bit, second);
-  CheckRequest(*bit, number.value);
+  Add(*bit, first);
+  CheckRequest(*bit, flag);
 }
 
 /// TW013: the program takes back what the control has begun.
-void OperandParser::CheckRequest(const Operand& bit, int64_t value) {
+void BitReader::CheckRequest(const Operand& bit, int64_t value) {
   if (value != 0 || instruction_.op == Op::kWr || !bit.symbol.valid()) return;
   const Symbol& symbol = context_.names[bit.symbol];
   if (symbol.origin == SymbolOrigin::kSource || !symbol.name.starts_with("REQ_")) return;

@@ -1,6 +1,8 @@
+#include "transpiler/dialects/technol/parser/memory_reader.h"
+
 #include <algorithm>
 
-#include "transpiler/dialects/technol/parser/operands_internal.h"
+#include "transpiler/dialects/technol/parser/expressions.h"
 
 namespace plcxx::technol {
 namespace {
@@ -11,13 +13,8 @@ constexpr Register kIndexRegisters[] = {Register::kBx,  Register::kSi,  Register
 
 }  // namespace
 
-std::string NameOf(const Program& program, const Address& address) {
-  if (address.base.valid()) return program.symbols[address.base].name;
-  return std::string(Name(address.area));
-}
-
 /// The width; 0: there is no prefix. None when it is wrong (reported).
-std::optional<uint8_t> OperandParser::TakePrefix(Prefixes prefixes) {
+std::optional<uint8_t> MemoryReader::ReadPrefix(Prefixes prefixes) {
   struct Row {
     std::string_view word;
     uint8_t width;
@@ -41,9 +38,9 @@ std::optional<uint8_t> OperandParser::TakePrefix(Prefixes prefixes) {
   return 0;
 }
 
-std::optional<Operand> OperandParser::ReadMemory(Prefixes prefixes) {
+std::optional<Operand> MemoryReader::ReadMemory(Prefixes prefixes) {
   const size_t first = reader_.position();
-  const std::optional<uint8_t> prefix = TakePrefix(prefixes);
+  const std::optional<uint8_t> prefix = ReadPrefix(prefixes);
   if (!prefix) return std::nullopt;
   Operand operand{.kind = OperandKind::kMemory};
   uint8_t width = 0;
@@ -57,7 +54,7 @@ std::optional<Operand> OperandParser::ReadMemory(Prefixes prefixes) {
 }
 
 /// What follows a name or a bracket: fields, indexes, constants.
-bool OperandParser::ReadAddress(Address& address, uint8_t& width, uint32_t level) {
+bool MemoryReader::ReadAddress(Address& address, uint8_t& width, uint32_t level) {
   if (!ReadBase(address, width, level)) return false;
   while (true) {
     if (reader_.TakePunctuation('.')) {
@@ -75,7 +72,7 @@ bool OperandParser::ReadAddress(Address& address, uint8_t& width, uint32_t level
   }
 }
 
-bool OperandParser::ReadBase(Address& address, uint8_t& width, uint32_t level) {
+bool MemoryReader::ReadBase(Address& address, uint8_t& width, uint32_t level) {
   const Token* token = reader_.Peek();
   if (reader_.TakePunctuation('(')) {
     if (level >= kMostBrackets) {
@@ -92,7 +89,7 @@ bool OperandParser::ReadBase(Address& address, uint8_t& width, uint32_t level) {
     context_.Report(token->range, diag::TechnolConstantAsMemory, token->text);
     return false;
   }
-  const SymbolId symbol = TakeName("the name of a cell");
+  const SymbolId symbol = ReadName("the name of a cell");
   if (!symbol.valid()) return false;
   const Symbol& named = context_.names[symbol];
   switch (named.kind) {
@@ -120,9 +117,9 @@ bool OperandParser::ReadBase(Address& address, uint8_t& width, uint32_t level) {
 }
 
 /// A field adds its offset and tells the width; any other constant only adds.
-bool OperandParser::ReadField(Address& address, uint8_t& width) {
+bool MemoryReader::ReadField(Address& address, uint8_t& width) {
   const Token* token = reader_.Peek();
-  const SymbolId symbol = TakeName("the name of a field");
+  const SymbolId symbol = ReadName("the name of a field");
   if (!symbol.valid()) return false;
   const Symbol& field = context_.names[symbol];
   if (field.kind != SymbolKind::kField && field.kind != SymbolKind::kConstant) {
@@ -141,7 +138,7 @@ bool OperandParser::ReadField(Address& address, uint8_t& width) {
   return true;
 }
 
-bool OperandParser::TakeIndexRegister(Address& address) {
+bool MemoryReader::ReadIndexRegister(Address& address) {
   const Token& token = reader_.Take();
   const Register reg = RegisterByName(Upper(token.text));
   if (std::ranges::find(kIndexRegisters, reg) == std::end(kIndexRegisters)) {
@@ -157,17 +154,17 @@ bool OperandParser::TakeIndexRegister(Address& address) {
 }
 
 /// After '[': a register with constants, or a constant.
-bool OperandParser::ReadIndex(Address& address) {
+bool MemoryReader::ReadIndex(Address& address) {
   const auto is_register = [this](size_t ahead) {
     return reader_.IsKind(TokenKind::kWord, ahead) &&
            RegisterByName(Upper(reader_.Peek(ahead)->text)) != Register::kNone;
   };
   if (is_register(0)) {
-    if (!TakeIndexRegister(address)) return false;
+    if (!ReadIndexRegister(address)) return false;
     while (reader_.IsPunctuation('+') || reader_.IsPunctuation('-')) {
       const bool plus = reader_.Take().text == "+";
       if (plus && is_register(0)) {
-        if (!TakeIndexRegister(address)) return false;
+        if (!ReadIndexRegister(address)) return false;
         continue;
       }
       const std::optional<int64_t> value = ReadConstantTerm(reader_, context_);
@@ -187,7 +184,7 @@ bool OperandParser::ReadIndex(Address& address) {
   return false;
 }
 
-void OperandParser::CheckRange(const Operand& operand) {
+void MemoryReader::CheckRange(const Operand& operand) {
   const Address& address = operand.address;
   const int64_t end = address.offset + operand.width / 8;
   const int64_t bytes = BytesOf(context_.program, address.area);
@@ -210,6 +207,53 @@ void OperandParser::CheckRange(const Operand& operand) {
   const Symbol& base = context_.names[address.base];
   if (address.offset >= base.offset && end <= int64_t{base.offset} + base.bytes) return;
   context_.Report(operand.range, diag::TechnolPastSymbol, text, name);
+}
+
+bool MemoryReader::IsAddressAhead() const {
+  uint32_t depth = 0;
+  for (size_t i = 0; const Token* token = reader_.Peek(i); ++i) {
+    if (token->kind == TokenKind::kPunctuation) {
+      if (token->text == "[") return true;
+      if (token->text == "(") ++depth;
+      if (token->text == ")" && depth > 0) --depth;
+      if (token->text == "," && depth == 0) return false;
+      continue;
+    }
+    if (token->kind != TokenKind::kWord) continue;
+    const std::string upper = Upper(token->text);
+    if (upper == "BYTE" || upper == "WORD" || upper == "DWRD" || upper == "DWORD") return true;
+    if (upper == "SIZE") {
+      ++i;  // the structure's name is part of a constant
+      continue;
+    }
+    const SymbolId symbol = context_.names.Find(token->text);
+    if (!symbol.valid()) continue;
+    const SymbolKind kind = context_.names[symbol].kind;
+    if (kind != SymbolKind::kConstant && kind != SymbolKind::kField) return true;
+  }
+  return false;
+}
+
+bool MemoryReader::CheckWidth(const Operand& operand) {
+  if (operand.width != 0) return true;
+  context_.Report(reader_.RangeFrom(0), diag::TechnolNoWidth, NameOf(context_.program, operand.address));
+  return false;
+}
+
+/// AND I1 and the like: the instructions of bits have names of their own.
+void MemoryReader::ReportBitAsData(const Token& token) {
+  std::string_view meant;
+  if (instruction_.op == Op::kLod) meant = "LDR";
+  if (instruction_.op == Op::kSto) meant = "WR";
+  if (instruction_.op == Op::kAnd || instruction_.op == Op::kAsmAnd) meant = "LA";
+  if (instruction_.op == Op::kOr || instruction_.op == Op::kAsmOr) meant = "LO";
+  if (instruction_.op == Op::kMov) meant = "LDR and WR";
+  if (instruction_.op == Op::kNot) meant = "LDR with '-' in front of the name";
+  if (meant.empty()) {
+    context_.Report(token.range, diag::TechnolBitAsData, token.text);
+  } else {
+    context_.Report(token.range, diag::TechnolBitAsDataMeant, token.text, mnemonic_, meant);
+  }
 }
 
 }  // namespace plcxx::technol

@@ -1,4 +1,6 @@
-#include "transpiler/dialects/technol/parser/operands_internal.h"
+#include "transpiler/dialects/technol/parser/data_operand_reader.h"
+
+#include "transpiler/dialects/technol/parser/expressions.h"
 
 namespace plcxx::technol {
 namespace {
@@ -10,7 +12,7 @@ bool BeginsNumber(const Token& token) { return token.kind == TokenKind::kNumber 
 
 }  // namespace
 
-std::optional<Operand> OperandParser::ReadCounted() {
+std::optional<Operand> DataOperandReader::ReadCounted() {
   if (!reader_.IsWord("CNST") || !reader_.IsPunctuation('.', 1)) return std::nullopt;
   reader_.Take();
   reader_.Take();
@@ -21,7 +23,7 @@ std::optional<Operand> OperandParser::ReadCounted() {
 }
 
 /// CNST.constant or memory of known width.
-std::optional<Operand> OperandParser::ReadDataOperand() {
+std::optional<Operand> DataOperandReader::ReadDataOperand() {
   if (!ExpectOperand("memory or CNST. and a constant")) return std::nullopt;
   if (reader_.IsWord("CNST") && reader_.IsPunctuation('.', 1)) return ReadCounted();
   const Token& token = *reader_.Peek();
@@ -32,18 +34,12 @@ std::optional<Operand> OperandParser::ReadDataOperand() {
     context_.Report(token.range, diag::TechnolBareNumber, reader_.TextFrom(0));
     return std::nullopt;
   }
-  std::optional<Operand> memory = ReadMemory(Prefixes::kTechnol);
-  if (memory && !CheckWidth(*memory)) return std::nullopt;
+  std::optional<Operand> memory = memory_.ReadMemory(Prefixes::kTechnol);
+  if (memory && !memory_.CheckWidth(*memory)) return std::nullopt;
   return memory;
 }
 
-bool OperandParser::CheckWidth(const Operand& operand) {
-  if (operand.width != 0) return true;
-  context_.Report(reader_.RangeFrom(0), diag::TechnolNoWidth, NameOf(context_.program, operand.address));
-  return false;
-}
-
-void OperandParser::TakeData(Form form) {
+void DataOperandReader::ReadData(Form form) {
   const size_t first = reader_.position();
   const std::optional<Operand> operand = ReadDataOperand();
   if (!operand) return;
@@ -52,7 +48,7 @@ void OperandParser::TakeData(Form form) {
 }
 
 /// MULB, DIVB: 8 bits; MULW, DIVW: 16 at most.
-void OperandParser::CheckNarrow(const Operand& operand, Form form) {
+void DataOperandReader::CheckNarrow(const Operand& operand, Form form) {
   const bool narrow = form == Form::kNarrowData;
   const std::string_view takes = narrow ? "8 bits" : "8 or 16 bits";
   if (operand.kind == OperandKind::kMemory && operand.width > (narrow ? 8 : 16)) {
@@ -65,7 +61,7 @@ void OperandParser::CheckNarrow(const Operand& operand, Form form) {
   }
 }
 
-void OperandParser::TakeStore() {
+void DataOperandReader::ReadStore() {
   if (!ExpectOperand("the memory to write")) return;
   const size_t first = reader_.position();
   const Token& token = *reader_.Peek();
@@ -83,12 +79,11 @@ void OperandParser::TakeStore() {
     context_.Report(instruction_.range, diag::TechnolStoreBit, token.text);
     return;
   }
-  const std::optional<Operand> memory = ReadMemory(Prefixes::kTechnol);
-  if (memory && CheckWidth(*memory)) Add(*memory, first);
+  const std::optional<Operand> memory = memory_.ReadMemory(Prefixes::kTechnol);
+  if (memory && memory_.CheckWidth(*memory)) Add(*memory, first);
 }
 
-/// CNST.constant or a byte.
-void OperandParser::TakeRotation() {
+void DataOperandReader::ReadRotation() {
   const size_t first = reader_.position();
   const std::optional<Operand> operand = ReadDataOperand();
   if (!operand) return;

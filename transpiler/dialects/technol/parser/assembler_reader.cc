@@ -1,4 +1,6 @@
-#include "transpiler/dialects/technol/parser/operands_internal.h"
+#include "transpiler/dialects/technol/parser/assembler_reader.h"
+
+#include "transpiler/dialects/technol/parser/expressions.h"
 
 namespace plcxx::technol {
 namespace {
@@ -9,34 +11,8 @@ bool IsMemory(const Operand& operand) { return operand.kind == OperandKind::kMem
 
 }  // namespace
 
-/// Does the operand at the reader name memory? A constant expression does not.
-bool OperandParser::IsAddressAhead() const {
-  uint32_t depth = 0;
-  for (size_t i = 0; const Token* token = reader_.Peek(i); ++i) {
-    if (token->kind == TokenKind::kPunctuation) {
-      if (token->text == "[") return true;
-      if (token->text == "(") ++depth;
-      if (token->text == ")" && depth > 0) --depth;
-      if (token->text == "," && depth == 0) return false;
-      continue;
-    }
-    if (token->kind != TokenKind::kWord) continue;
-    const std::string upper = Upper(token->text);
-    if (upper == "BYTE" || upper == "WORD" || upper == "DWRD" || upper == "DWORD") return true;
-    if (upper == "SIZE") {
-      ++i;  // the structure's name is part of a constant
-      continue;
-    }
-    const SymbolId symbol = context_.names.Find(token->text);
-    if (!symbol.valid()) continue;
-    const SymbolKind kind = context_.names[symbol].kind;
-    if (kind != SymbolKind::kConstant && kind != SymbolKind::kField) return true;
-  }
-  return false;
-}
-
 /// OFFSET, SEG, segment overrides, memory without a symbol, registers that do not exist. Reports.
-bool OperandParser::IsForeignOperand() {
+bool AssemblerReader::IsForeignOperand() {
   const Token& token = *reader_.Peek();
   if (reader_.IsPunctuation('[')) {
     size_t end = 0;
@@ -63,7 +39,7 @@ bool OperandParser::IsForeignOperand() {
   return false;
 }
 
-std::optional<Operand> OperandParser::ReadRegister() {
+std::optional<Operand> AssemblerReader::ReadRegister() {
   if (!reader_.IsKind(TokenKind::kWord)) return std::nullopt;
   const Register reg = RegisterByName(Upper(reader_.Peek()->text));
   if (reg == Register::kNone) return std::nullopt;
@@ -73,8 +49,9 @@ std::optional<Operand> OperandParser::ReadRegister() {
 
 /// A register, memory (of width 0 where nothing tells it) or, when allowed, a constant. None when it is wrong
 /// (reported).
-std::optional<Operand> OperandParser::ReadAssembler(bool constant_allowed) {
-  if (!ExpectOperand(constant_allowed ? "a register, memory or a constant" : kRegisterOrMemory)) return std::nullopt;
+std::optional<Operand> AssemblerReader::ReadOperand(Operands allowed) {
+  if (!ExpectOperand(allowed == Operands::kAny ? "a register, memory or a constant" : kRegisterOrMemory))
+    return std::nullopt;
   const Token& token = *reader_.Peek();
   if (auto reg = ReadRegister()) {
     if (!reader_.IsPunctuation(':')) return reg;
@@ -86,7 +63,7 @@ std::optional<Operand> OperandParser::ReadAssembler(bool constant_allowed) {
     context_.Report(token.range, diag::TechnolAssemblerOperand, "CNST.", mnemonic_, "constants without CNST.");
     return std::nullopt;
   }
-  if (IsAddressAhead()) {
+  if (memory_.IsAddressAhead()) {
     // BYTE PTR [BX], BYTE PTR ES:X
     const size_t ahead = reader_.IsPunctuation('.', 1) || reader_.IsWord("PTR", 1) ? 2 : 0;
     if (ahead > 0 && reader_.Peek(ahead) != nullptr) {
@@ -95,12 +72,12 @@ std::optional<Operand> OperandParser::ReadAssembler(bool constant_allowed) {
       if (IsForeignOperand()) return std::nullopt;
       reader_.Return(first);
     }
-    return ReadMemory(Prefixes::kAssembler);
+    return memory_.ReadMemory(Prefixes::kAssembler);
   }
   const size_t first = reader_.position();
   const std::optional<int64_t> value = ReadConstant(reader_, context_);
   if (!value) return std::nullopt;
-  if (!constant_allowed) {
+  if (allowed != Operands::kAny) {
     context_.Report(reader_.RangeFrom(first), diag::TechnolAssemblerOperand, reader_.TextFrom(first), mnemonic_,
                     kRegisterOrMemory);
     return std::nullopt;
@@ -108,13 +85,13 @@ std::optional<Operand> OperandParser::ReadAssembler(bool constant_allowed) {
   return Operand{.kind = OperandKind::kConstant, .value = *value};
 }
 
-bool OperandParser::CheckSize(const Operand& operand) {
+bool AssemblerReader::CheckSize(const Operand& operand) {
   if (operand.width != 0) return true;
   context_.Report(instruction_.range, diag::TechnolSizeUnknown, NameOf(context_.program, operand.address));
   return false;
 }
 
-bool OperandParser::CheckImmediate(Operand& constant, uint8_t width) {
+bool AssemblerReader::CheckImmediate(Operand& constant, uint8_t width) {
   const int64_t values = int64_t{1} << width;
   constant.width = width;
   if (constant.value >= -values / 2 && constant.value < values) return true;
@@ -123,7 +100,7 @@ bool OperandParser::CheckImmediate(Operand& constant, uint8_t width) {
 }
 
 /// Two operands of one width; memory of unknown width takes that of a register.
-void OperandParser::Match(Operand& left, Operand& right) {
+void AssemblerReader::Match(Operand& left, Operand& right) {
   if (IsMemory(left) && IsMemory(right)) {
     context_.Report(instruction_.range, diag::TechnolTwoMemoryOperands, mnemonic_);
     return;
@@ -135,20 +112,20 @@ void OperandParser::Match(Operand& left, Operand& right) {
   for (auto [unknown, known] : {std::pair(&left, &right), std::pair(&right, &left)}) {
     if (unknown->width != 0) continue;
     unknown->width = known->width;
-    CheckRange(*unknown);
+    memory_.CheckRange(*unknown);
   }
   if (left.width == right.width) return;
   context_.Report(instruction_.range, diag::TechnolOperandSizes, mnemonic_, int64_t{left.width}, int64_t{right.width});
 }
 
-void OperandParser::TakeTwo() {
+void AssemblerReader::ReadPair(Operands second_operand) {
   const size_t first = reader_.position();
-  std::optional<Operand> left = ReadAssembler(false);
+  std::optional<Operand> left = ReadOperand(Operands::kRegisterOrMemory);
   if (!left) return;
   const source::Range range = reader_.RangeFrom(first);
   if (!ExpectComma()) return;
   const size_t second = reader_.position();
-  std::optional<Operand> right = ReadAssembler(true);
+  std::optional<Operand> right = ReadOperand(second_operand);
   if (!right) return;
   Match(*left, *right);
   Add(*left, first);
@@ -156,60 +133,48 @@ void OperandParser::TakeTwo() {
   Add(*right, second);
 }
 
-void OperandParser::TakeOne() {
+void AssemblerReader::ReadTwo() { ReadPair(Operands::kAny); }
+
+void AssemblerReader::ReadExchange() { ReadPair(Operands::kRegisterOrMemory); }
+
+void AssemblerReader::ReadOne() {
   const size_t first = reader_.position();
-  const std::optional<Operand> operand = ReadAssembler(false);
+  const std::optional<Operand> operand = ReadOperand(Operands::kRegisterOrMemory);
   if (!operand || !CheckSize(*operand)) return;
   Add(*operand, first);
 }
 
-/// Register or memory, then a constant or CL.
-void OperandParser::TakeShift() {
+void AssemblerReader::ReadShift() {
   const size_t first = reader_.position();
-  const std::optional<Operand> operand = ReadAssembler(false);
+  const std::optional<Operand> operand = ReadOperand(Operands::kRegisterOrMemory);
   if (!operand || !CheckSize(*operand)) return;
   Add(*operand, first);
   if (!ExpectComma()) return;
   if (!ExpectOperand("a constant or CL")) return;
   const size_t second = reader_.position();
+  if (const std::optional<Operand> count = ReadShiftCount()) Add(*count, second);
+}
+
+std::optional<Operand> AssemblerReader::ReadShiftCount() {
   const Token& token = *reader_.Peek();
-  std::optional<Operand> count = ReadRegister();
-  if (count && count->reg != Register::kCl) {
+  const auto refuse = [&] {
     context_.Report(token.range, diag::TechnolAssemblerOperand, token.text, mnemonic_, "a constant or CL as its count");
-    return;
+    return std::nullopt;
+  };
+  if (const std::optional<Operand> count = ReadRegister()) {
+    if (count->reg != Register::kCl) return refuse();
+    return count;
   }
-  if (!count) {
-    if (IsForeignOperand()) return;
-    if (IsAddressAhead()) {
-      context_.Report(token.range, diag::TechnolAssemblerOperand, token.text, mnemonic_,
-                      "a constant or CL as its count");
-      return;
-    }
-    const std::optional<int64_t> value = ReadConstant(reader_, context_);
-    if (!value) return;
-    count = Operand{.kind = OperandKind::kConstant, .value = *value};
-    if (!CheckImmediate(*count, 8)) return;
-  }
-  Add(*count, second);
+  if (IsForeignOperand()) return std::nullopt;
+  if (memory_.IsAddressAhead()) return refuse();
+  const std::optional<int64_t> value = ReadConstant(reader_, context_);
+  if (!value) return std::nullopt;
+  Operand count{.kind = OperandKind::kConstant, .value = *value};
+  if (!CheckImmediate(count, 8)) return std::nullopt;
+  return count;
 }
 
-void OperandParser::TakeExchange() {
-  const size_t first = reader_.position();
-  std::optional<Operand> left = ReadAssembler(false);
-  if (!left) return;
-  const source::Range range = reader_.RangeFrom(first);
-  if (!ExpectComma()) return;
-  const size_t second = reader_.position();
-  std::optional<Operand> right = ReadAssembler(false);
-  if (!right) return;
-  Match(*left, *right);
-  Add(*left, first);
-  if (!instruction_.expansion.valid()) context_.program.operands.back().range = range;
-  Add(*right, second);
-}
-
-/// A register and what it takes, which is narrower.
-void OperandParser::TakeExtend() {
+void AssemblerReader::ReadExtend() {
   if (!ExpectOperand("a register")) return;
   const size_t first = reader_.position();
   if (IsForeignOperand()) return;
@@ -222,7 +187,7 @@ void OperandParser::TakeExtend() {
   Add(*reg, first);
   if (!ExpectComma()) return;
   const size_t second = reader_.position();
-  const std::optional<Operand> from = ReadAssembler(false);
+  const std::optional<Operand> from = ReadOperand(Operands::kRegisterOrMemory);
   if (!from || !CheckSize(*from)) return;
   if (reg->width <= from->width) {
     context_.Report(instruction_.range, diag::TechnolNotWider, mnemonic_, int64_t{reg->width}, int64_t{from->width});
@@ -231,7 +196,7 @@ void OperandParser::TakeExtend() {
   Add(*from, second);
 }
 
-void OperandParser::TakeStack() {
+void AssemblerReader::ReadStack() {
   if (!ExpectOperand("a register of 16 or 32 bits")) return;
   const size_t first = reader_.position();
   if (IsForeignOperand()) return;

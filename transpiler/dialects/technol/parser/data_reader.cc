@@ -1,11 +1,12 @@
+#include "transpiler/dialects/technol/parser/data_reader.h"
+
 #include <algorithm>
 
-#include "transpiler/dialects/technol/parser/internal.h"
+#include "transpiler/dialects/technol/parser/expressions.h"
+#include "transpiler/dialects/technol/parser/values.h"
 
 namespace plcxx::technol {
 namespace {
-
-constexpr uint32_t kMostDupLevels = 100;  // DUP within DUP: each is a call of this parser
 
 /// DB, DW, DD, also with a '?' glued to it; 0: none of them.
 uint8_t WidthOf(std::string_view upper) {
@@ -33,9 +34,9 @@ Token Part(const Token& token, size_t begin, size_t length, TokenKind kind) {
 
 }  // namespace
 
-bool Parser::IsDataPlace(const Statement& statement, const Token* name) {
+bool DataReader::IsDataPlace(const Statement& statement, const Token* name) {
   if (IsOutside(statement)) return false;
-  if (in_data_) return true;
+  if (now_.in_data) return true;
   const Token& word = statement.first();
   context_.Report(statement.range, diag::TechnolOutsideData, name != nullptr ? name->text : word.text);
   // The name counts as defined: its uses are not at fault.
@@ -48,12 +49,11 @@ bool Parser::IsDataPlace(const Statement& statement, const Token* name) {
   return false;
 }
 
-/// `[name] DB ...`: the directive is word number `directive`.
-void Parser::TakeAllocation(const Statement& statement, const Token* name, size_t directive) {
+void DataReader::ReadAllocation(const Statement& statement, const Token* name, size_t directive) {
   if (!IsDataPlace(statement, name)) return;
   const Token& word = statement.words[directive];
   const std::string upper = Upper(word.text);
-  if (upper == "DFM") return TakeBits(statement, directive);
+  if (upper == "DFM") return ReadBits(statement, directive);
   std::span<const Token> words = statement.words.subspan(directive + 1);
   if (upper == "DS") return ReserveBytes(statement, name, words);
 
@@ -70,14 +70,14 @@ void Parser::TakeAllocation(const Statement& statement, const Token* name, size_
   std::vector<uint8_t> bytes;
   if (reader.AtEnd()) {
     context_.Report(word.range, diag::TechnolOperandMissing, upper, "a value or '?'");
-  } else if (ReadValues(reader, width, 0, bytes) && !reader.AtEnd()) {
+  } else if (ReadValues(reader, width, bytes, context_) && !reader.AtEnd()) {
     context_.Report(reader.Here(), diag::TechnolSurplus, Shown(reader.Peek()), word.text);
   }
   DefineCell(statement, name, width, bytes);
 }
 
 /// DS n
-void Parser::ReserveBytes(const Statement& statement, const Token* name, std::span<const Token> words) {
+void DataReader::ReserveBytes(const Statement& statement, const Token* name, std::span<const Token> words) {
   if (name == nullptr) {
     context_.Report(statement.range, diag::TechnolStrayLine, "DS", "needs a name in front of it");
     return;
@@ -96,12 +96,13 @@ void Parser::ReserveBytes(const Statement& statement, const Token* name, std::sp
   DefineCell(statement, name, plain ? static_cast<uint8_t>(bytes.size() * 8) : 0, bytes);
 }
 
-void Parser::DefineCell(const Statement& statement, const Token* name, uint8_t width, std::span<const uint8_t> bytes) {
+void DataReader::DefineCell(const Statement& statement, const Token* name, uint8_t width,
+                            std::span<const uint8_t> bytes) {
   std::vector<uint8_t>& data = context_.program.user_data;
   Symbol symbol{.kind = SymbolKind::kCell, .width = width, .area = Area::kUser};
   symbol.offset = static_cast<uint32_t>(data.size());
   symbol.bytes = static_cast<uint32_t>(bytes.size());
-  symbol.comments = TakeComments(statement);
+  symbol.comments = comments_.TakeComments(statement);
   if (data.size() + bytes.size() > kUserBytes) {
     context_.Report(statement.range, diag::TechnolDataTooLarge, name != nullptr ? name->text : statement.first().text);
   } else {
@@ -120,78 +121,12 @@ void Parser::DefineCell(const Statement& statement, const Token* name, uint8_t w
   context_.Define(*name, std::move(symbol));
 }
 
-bool Parser::AppendNumber(int64_t value, uint8_t width, std::vector<uint8_t>& bytes) {
-  const int64_t values = int64_t{1} << width;
-  if (value < -values / 2 || value >= values) return false;
-  for (uint8_t bit = 0; bit < width; bit += 8)
-    bytes.push_back(static_cast<uint8_t>(static_cast<uint64_t>(value) >> bit));
-  return true;
-}
-
-bool Parser::ReadValues(TokenReader& reader, uint8_t width, uint32_t level, std::vector<uint8_t>& bytes) {
-  do {
-    if (!ReadValue(reader, width, level, bytes)) return false;
-  } while (reader.TakePunctuation(','));
-  return true;
-}
-
-bool Parser::ReadValue(TokenReader& reader, uint8_t width, uint32_t level, std::vector<uint8_t>& bytes) {
-  const size_t first = reader.position();
-  const Token* token = reader.Peek();
-  if (reader.TakeWord("?")) return AppendNumber(0, width, bytes);
-  if (token != nullptr && token->kind == TokenKind::kString && token->text.size() > 3) {
-    reader.Take();
-    if (width != 8) {
-      context_.Report(token->range, diag::TechnolStringOutsideDb, token->text, width == 16 ? "DW" : "DD");
-      return false;
-    }
-    const std::string_view text = token->text.substr(1, token->text.size() - 2);
-    bytes.insert(bytes.end(), text.begin(), text.end());
-    return true;
-  }
-  const std::optional<int64_t> value = ReadConstant(reader, context_);
-  if (!value) return false;
-  if (!reader.TakeWord("DUP")) {
-    if (AppendNumber(*value, width, bytes)) return true;
-    context_.Report(reader.RangeFrom(first), diag::TechnolDoesNotFit, *value, int64_t{width});
-    return false;
-  }
-
-  if (*value < 1 || *value > kUserBytes) {
-    context_.Report(reader.RangeFrom(first), diag::TechnolDupCount, *value);
-    return false;
-  }
-  if (!reader.TakePunctuation('(') || level >= kMostDupLevels) {
-    context_.Report(reader.Here(), diag::TechnolSyntax, Shown(reader.Peek()), "'(' and the values to repeat");
-    return false;
-  }
-  std::vector<uint8_t> part;
-  if (!ReadValues(reader, width, level + 1, part)) return false;
-  if (!reader.TakePunctuation(')')) {
-    context_.Report(reader.Here(), diag::TechnolSyntax, Shown(reader.Peek()), "',' or ')'");
-    return false;
-  }
-  if (part.size() * static_cast<size_t>(*value) > kUserBytes) {
-    context_.Report(reader.RangeFrom(first), diag::TechnolDataTooLarge, reader.TextFrom(first));
-    return false;
-  }
-  for (int64_t i = 0; i < *value; ++i) bytes.insert(bytes.end(), part.begin(), part.end());
-  if (bytes.size() <= kUserBytes) return true;
-  context_.Report(reader.RangeFrom(first), diag::TechnolDataTooLarge, reader.TextFrom(first));
-  return false;
-}
-
 /// name: DFM b0,...,b7: a byte of its own, or names for the bits of a predefined one.
-void Parser::TakeBits(const Statement& statement, size_t directive) {
+void DataReader::ReadBits(const Statement& statement, size_t directive) {
   if (statement.label == nullptr || directive != 0) {
     context_.Report(statement.range, diag::TechnolSyntax, "'DFM'", "a name and a colon in front of it");
     return;
   }
-  const Token& name = *statement.label;
-  const SymbolId known = context_.names.Find(name.text);
-  const bool predefined = known.valid() && context_.names[known].origin != SymbolOrigin::kSource &&
-                          context_.names[known].kind == SymbolKind::kCell && context_.names[known].width == 8;
-
   std::vector<const Token*> names;
   TokenReader reader(statement.words.subspan(1));
   bool comma = !reader.AtEnd();
@@ -206,6 +141,15 @@ void Parser::TakeBits(const Statement& statement, size_t directive) {
   if (names.size() > kBitsOfDfm) {
     context_.Report(statement.range, diag::TechnolDfmNames, static_cast<int64_t>(names.size()));
   }
+  DefineBits(statement, names);
+}
+
+/// Null: this bit has no name.
+void DataReader::DefineBits(const Statement& statement, std::span<const Token* const> names) {
+  const Token& name = *statement.label;
+  const SymbolId known = context_.names.Find(name.text);
+  const bool predefined = known.valid() && context_.names[known].origin != SymbolOrigin::kSource &&
+                          context_.names[known].kind == SymbolKind::kCell && context_.names[known].width == 8;
   SymbolId carrier = known;
   if (!predefined) {
     const uint8_t zero[] = {0};
@@ -226,10 +170,10 @@ void Parser::TakeBits(const Statement& statement, size_t directive) {
     }
     symbol.faulty |= context_.faulty || !carrier.valid();
     symbol.byte = carrier;
-    if (predefined && waiting_comments_.empty() && statement.comment == nullptr) {
+    if (predefined && !comments_.IsWaiting() && statement.comment == nullptr) {
       symbol.comments = comments;
     } else if (predefined) {
-      symbol.comments = TakeComments(statement);
+      symbol.comments = comments_.TakeComments(statement);
     }
     const bool before = context_.faulty;
     context_.Define(*names[bit], std::move(symbol));
@@ -237,53 +181,19 @@ void Parser::TakeBits(const Statement& statement, size_t directive) {
   }
 }
 
-/// [name] STRUCTURE <...> or [name] STRUCTURE n DUP (<>); the structure is word number `index`.
-void Parser::TakeInstance(const Statement& statement, const Token* name, size_t index) {
+void DataReader::ReadInstance(const Statement& statement, const Token* name, size_t index) {
   if (!IsDataPlace(statement, name)) return;
   const SymbolId symbol = context_.names.Find(statement.words[index].text);
   ++context_.names[symbol].uses;
-  const Structure& structure = structures_.at(symbol);
+  const Structure& structure = *structures_.Find(symbol);
   TokenReader reader(statement.words.subspan(index + 1));
   std::vector<uint8_t> bytes;
-  const auto fail = [&](std::string_view expected) {
-    context_.Report(reader.Here(), diag::TechnolSyntax, Shown(reader.Peek()), expected);
-  };
   if (reader.TakePunctuation('<')) {
-    bytes = structure.initial;
-    for (size_t field = 0; !context_.faulty && !reader.IsPunctuation('>'); ++field) {
-      if (reader.AtEnd()) {
-        fail("'>'");
-        break;
-      }
-      if (field >= structure.fields.size()) {
-        context_.Report(reader.Here(), diag::TechnolTooManyValues, structure.name,
-                        static_cast<int64_t>(structure.fields.size()));
-        break;
-      }
-      const bool given = !reader.IsPunctuation(',') && !reader.IsPunctuation('>');
-      if (given && !ReadField(reader, structure.fields[field], bytes)) break;
-      if (!reader.IsPunctuation('>') && !reader.TakePunctuation(',')) {
-        fail("',' or '>'");
-        break;
-      }
-    }
-    reader.TakePunctuation('>');
+    ReadFields(reader, structure, bytes);
   } else if (reader.AtEnd()) {
-    fail("'<' and initial values");
+    ReportSyntax(reader, "'<' and initial values");
   } else {
-    const size_t first = reader.position();
-    const std::optional<int64_t> count = ReadConstant(reader, context_);
-    if (count && (*count < 1 || *count > kUserBytes)) {
-      context_.Report(reader.RangeFrom(first), diag::TechnolDupCount, *count);
-    } else if (count && !(reader.TakeWord("DUP") && reader.TakePunctuation('(') && reader.TakePunctuation('<') &&
-                          reader.TakePunctuation('>') && reader.TakePunctuation(')'))) {
-      fail("DUP (<>)");
-    } else if (count && structure.initial.size() * static_cast<size_t>(*count) > kUserBytes) {
-      context_.Report(statement.range, diag::TechnolDataTooLarge, reader.TextFrom(first));
-    } else if (count) {
-      for (int64_t i = 0; i < *count; ++i)
-        bytes.insert(bytes.end(), structure.initial.begin(), structure.initial.end());
-    }
+    ReadCopies(statement, reader, structure, bytes);
   }
   if (!context_.faulty && !reader.AtEnd()) {
     context_.Report(reader.Here(), diag::TechnolSurplus, Shown(reader.Peek()), structure.name);
@@ -291,8 +201,53 @@ void Parser::TakeInstance(const Statement& statement, const Token* name, size_t 
   DefineCell(statement, name, 0, bytes);
 }
 
+void DataReader::ReportSyntax(const TokenReader& reader, std::string_view expected) {
+  context_.Report(reader.Here(), diag::TechnolSyntax, Shown(reader.Peek()), expected);
+}
+
+/// After '<'.
+void DataReader::ReadFields(TokenReader& reader, const Structure& structure, std::vector<uint8_t>& bytes) {
+  bytes = structure.initial;
+  for (size_t field = 0; !context_.faulty && !reader.IsPunctuation('>'); ++field) {
+    if (reader.AtEnd()) {
+      ReportSyntax(reader, "'>'");
+      break;
+    }
+    if (field >= structure.fields.size()) {
+      context_.Report(reader.Here(), diag::TechnolTooManyValues, structure.name,
+                      static_cast<int64_t>(structure.fields.size()));
+      break;
+    }
+    const bool given = !reader.IsPunctuation(',') && !reader.IsPunctuation('>');
+    if (given && !ReadField(reader, structure.fields[field], bytes)) break;
+    if (!reader.IsPunctuation('>') && !reader.TakePunctuation(',')) {
+      ReportSyntax(reader, "',' or '>'");
+      break;
+    }
+  }
+  reader.TakePunctuation('>');
+}
+
+/// n DUP (<>)
+void DataReader::ReadCopies(const Statement& statement, TokenReader& reader, const Structure& structure,
+                            std::vector<uint8_t>& bytes) {
+  const size_t first = reader.position();
+  const std::optional<int64_t> count = ReadConstant(reader, context_);
+  if (!count) return;
+  if (*count < 1 || *count > kUserBytes) {
+    context_.Report(reader.RangeFrom(first), diag::TechnolDupCount, *count);
+  } else if (!(reader.TakeWord("DUP") && reader.TakePunctuation('(') && reader.TakePunctuation('<') &&
+               reader.TakePunctuation('>') && reader.TakePunctuation(')'))) {
+    ReportSyntax(reader, "DUP (<>)");
+  } else if (structure.initial.size() * static_cast<size_t>(*count) > kUserBytes) {
+    context_.Report(statement.range, diag::TechnolDataTooLarge, reader.TextFrom(first));
+  } else {
+    for (int64_t i = 0; i < *count; ++i) bytes.insert(bytes.end(), structure.initial.begin(), structure.initial.end());
+  }
+}
+
 /// One initial value of an instance; after the first element an array keeps the structure's own values.
-bool Parser::ReadField(TokenReader& reader, const StructureField& field, std::vector<uint8_t>& instance) {
+bool DataReader::ReadField(TokenReader& reader, const StructureField& field, std::vector<uint8_t>& instance) {
   const size_t first = reader.position();
   const Token& token = *reader.Peek();
   std::vector<uint8_t> bytes;
@@ -305,7 +260,7 @@ bool Parser::ReadField(TokenReader& reader, const StructureField& field, std::ve
     }
     bytes.assign(text.begin(), text.end());
     bytes.resize(field.bytes);
-  } else if (!ReadValue(reader, field.width, 0, bytes)) {
+  } else if (!ReadValue(reader, field.width, bytes, context_)) {
     return false;
   } else if (bytes.size() > field.bytes) {
     context_.Report(reader.RangeFrom(first), diag::TechnolStringDoesNotFit, reader.TextFrom(first),

@@ -1,31 +1,8 @@
-#include "transpiler/dialects/technol/parser/internal.h"
+#include "transpiler/dialects/technol/parser/constant_reader.h"
+
+#include "transpiler/dialects/technol/parser/expressions.h"
 
 namespace plcxx::technol {
-
-/// EQUI name,expr
-void Parser::TakeEqui(const Statement& statement) {
-  TokenReader reader(statement.words.subspan(1));
-  if (!reader.IsKind(TokenKind::kWord)) {
-    context_.Report(reader.AtEnd() ? statement.range : reader.Here(), diag::TechnolOperandMissing, "EQUI",
-                    "a name, a comma and a value");
-    return;
-  }
-  const Token& name = reader.Take();
-  if (!reader.TakePunctuation(',')) {
-    context_.Report(reader.Here(), diag::TechnolSyntax, Shown(reader.Peek()), "','");
-    return;
-  }
-  if (statement.label != nullptr) {
-    context_.Report(statement.label->range, diag::TechnolSurplus, "label '" + std::string(statement.label->text) + "'",
-                    "EQUI");
-    return;
-  }
-  DefineConstant(name, statement.words.subspan(3));
-  const SymbolId symbol = context_.names.Find(name.text);
-  if (symbol.valid() && context_.names[symbol].comments.count == 0) {
-    context_.names[symbol].comments = TakeComments(statement);
-  }
-}
 
 namespace {
 
@@ -46,7 +23,49 @@ std::optional<int64_t> WholeConstant(std::span<const Token> tokens, const Token&
 
 }  // namespace
 
-void Parser::DefineConstant(const Token& name, std::span<const Token> expression) {
+/// EQUI name,expr
+void ConstantReader::ReadEqui(const Statement& statement) {
+  TokenReader reader(statement.words.subspan(1));
+  if (!reader.IsKind(TokenKind::kWord)) {
+    context_.Report(reader.AtEnd() ? statement.range : reader.Here(), diag::TechnolOperandMissing, "EQUI",
+                    "a name, a comma and a value");
+    return;
+  }
+  const Token& name = reader.Take();
+  if (!reader.TakePunctuation(',')) {
+    context_.Report(reader.Here(), diag::TechnolSyntax, Shown(reader.Peek()), "','");
+    return;
+  }
+  if (statement.label != nullptr) {
+    context_.Report(statement.label->range, diag::TechnolSurplus, "label '" + std::string(statement.label->text) + "'",
+                    "EQUI");
+    return;
+  }
+  DefineConstant(name, statement.words.subspan(3));
+  SetComments(name, statement);
+}
+
+/// name EQU expr
+void ConstantReader::ReadEqu(const Statement& statement) {
+  WarnOfCompletion(statement.words[1]);
+  DefineConstant(statement.first(), statement.words.subspan(2));
+  SetComments(statement.first(), statement);
+}
+
+/// name = expr
+void ConstantReader::ReadAssignment(const Statement& statement) {
+  AssignConstant(statement.first(), statement.words.subspan(2));
+  SetComments(statement.first(), statement);
+}
+
+void ConstantReader::SetComments(const Token& name, const Statement& statement) {
+  const SymbolId symbol = context_.names.Find(name.text);
+  if (symbol.valid() && context_.names[symbol].comments.count == 0) {
+    context_.names[symbol].comments = comments_.TakeComments(statement);
+  }
+}
+
+void ConstantReader::DefineConstant(const Token& name, std::span<const Token> expression) {
   if (!context_.IsName(name)) return;
   const std::optional<int64_t> value = WholeConstant(expression, name, context_);
   const SymbolId known = context_.names.Find(name.text);
@@ -64,7 +83,7 @@ void Parser::DefineConstant(const Token& name, std::span<const Token> expression
   }
 }
 
-void Parser::AssignConstant(const Token& name, std::span<const Token> expression) {
+void ConstantReader::AssignConstant(const Token& name, std::span<const Token> expression) {
   const SymbolId known = context_.names.Find(name.text);
   if (!known.valid() || !assigned_.contains(known)) {  // EQUI and EQU are for good
     DefineConstant(name, expression);

@@ -1,66 +1,71 @@
+#include "transpiler/dialects/technol/parser/structure_reader.h"
+
 #include <algorithm>
 
 #include "transpiler/dialects/technol/machine/signals.h"
-#include "transpiler/dialects/technol/parser/internal.h"
+#include "transpiler/dialects/technol/parser/values.h"
 
 namespace plcxx::technol {
+namespace {
 
-void Parser::OpenStructure(const Statement& statement) {
+bool IsFieldDirective(const std::string& word) {
+  constexpr std::string_view kDirectives[] = {"DB", "DW", "DD", "DB?", "DW?", "DD?"};
+  return std::ranges::find(kDirectives, word) != std::end(kDirectives);
+}
+
+/// Data, units and STOP are in no structure.
+bool BeginsSection(const std::string& word) {
+  return word == "DATA" || word == "DATA_END" || word == "START" || word == "STOP" || word == "MECH_BEGIN" ||
+         word.starts_with("MODULE_") || word.starts_with("PRIPRAVNE_") || word.starts_with("ZAVERECNE_");
+}
+
+}  // namespace
+
+void StructureReader::OpenStructure(const Statement& statement) {
   const Token& name = statement.first();
   if (CurrentUnit().valid()) {
     context_.Report(statement.range, diag::TechnolStrayLine, context_.sources.Text(statement.range),
                     "stands outside modules and mechanisms");
   }
   ExpectEnd(statement, 2);
-  TakeComments(statement);
-  structure_ = {.name = std::string(name.text), .range = name.range};
+  comments_.TakeComments(statement);
+  open_ = {.name = std::string(name.text), .range = name.range};
   const SymbolId known = context_.names.Find(name.text);
   // The same once more is decided when it is complete: a file that is included twice, the control's own structures.
   const bool again = known.valid() && context_.names[known].kind == SymbolKind::kStructure;
   if (again) {
-    structure_->symbol = known;
+    open_->symbol = known;
   } else {
-    structure_->symbol = context_.Define(name, {.kind = SymbolKind::kStructure});
-    if (structure_->symbol.valid()) context_.names[structure_->symbol].faulty = true;  // until its end
+    open_->symbol = context_.Define(name, {.kind = SymbolKind::kStructure});
+    if (open_->symbol.valid()) context_.names[open_->symbol].faulty = true;  // until its end
   }
 }
 
-/// A line between STRUC and ENDS.
-void Parser::TakeField(const Statement& statement) {
-  std::span<const Token> words = statement.words;
-  const Token* name = statement.label;
-  const auto upper = [&words](size_t i) {
-    return i < words.size() && words[i].kind == TokenKind::kWord ? Upper(words[i].text) : std::string();
-  };
-  if (upper(1) == "ENDS") return CloseStructure(statement);
-  static constexpr std::string_view kDirectives[] = {"DB", "DW", "DD", "DB?", "DW?", "DD?"};
-  const auto is_directive = [](const std::string& word) {
-    return std::ranges::find(kDirectives, word) != std::end(kDirectives);
-  };
-  size_t directive = 0;
-  if (!is_directive(upper(0)) && is_directive(upper(1)) && name == nullptr) {
-    name = words.data();
-    directive = 1;
-  } else if (!is_directive(upper(0))) {
-    const std::string first = upper(0);
-    const bool ends = first == "DATA" || first == "DATA_END" || first == "START" || first == "STOP" ||
-                      first == "MECH_BEGIN" || first.starts_with("MODULE_") || first.starts_with("PRIPRAVNE_") ||
-                      first.starts_with("ZAVERECNE_");
-    if (ends) {
-      context_.Report(statement.range, diag::TechnolEndsMissing, structure_->name);
-      FinishStructure();
-      Statement again = statement;
-      return TakeStatement(again);
-    }
+bool StructureReader::ReadLine(const Statement& statement) {
+  const std::span<const Token> words = statement.words;
+  const std::string first = UpperWord(words, 0), second = UpperWord(words, 1);
+  if (second == "ENDS") {
+    CloseStructure(statement);
+  } else if (IsFieldDirective(first)) {
+    ReadField(statement, statement.label, 0);
+  } else if (IsFieldDirective(second) && statement.label == nullptr) {
+    ReadField(statement, words.data(), 1);
+  } else if (BeginsSection(first)) {
+    LeaveOpenStructure(statement.range);
+    return false;
+  } else {
     context_.Report(statement.range, diag::TechnolSyntax,
-                    "'" + std::string(words.empty() ? name->text : words[0].text) + "'",
-                    "a field (DB, DW or DD) or '" + structure_->name + " ENDS'");
-    return;
+                    "'" + std::string(words.empty() ? statement.label->text : words[0].text) + "'",
+                    "a field (DB, DW or DD) or '" + open_->name + " ENDS'");
   }
+  return true;
+}
 
+void StructureReader::ReadField(const Statement& statement, const Token* name, size_t directive) {
+  const std::span<const Token> words = statement.words;
   const Token& word = words[directive];
-  const std::string keyword = upper(directive);
-  StructureField field{.offset = static_cast<uint32_t>(structure_->initial.size())};
+  const std::string keyword = UpperWord(words, directive);
+  StructureField field{.offset = static_cast<uint32_t>(open_->initial.size())};
   field.width = keyword[1] == 'B' ? 8 : keyword[1] == 'W' ? 16 : 32;
   std::vector<Token> values;
   if (keyword.ends_with('?')) {
@@ -72,22 +77,22 @@ void Parser::TakeField(const Statement& statement) {
   std::vector<uint8_t> bytes;
   if (reader.AtEnd()) {
     context_.Report(word.range, diag::TechnolOperandMissing, keyword, "a value or '?'");
-  } else if (ReadValues(reader, field.width, 0, bytes) && !reader.AtEnd()) {
+  } else if (ReadValues(reader, field.width, bytes, context_) && !reader.AtEnd()) {
     context_.Report(reader.Here(), diag::TechnolSurplus, Shown(reader.Peek()), word.text);
   }
-  if (structure_->initial.size() + bytes.size() > kUserBytes) {
-    context_.Report(statement.range, diag::TechnolDataTooLarge, structure_->name);
+  if (open_->initial.size() + bytes.size() > kUserBytes) {
+    context_.Report(statement.range, diag::TechnolDataTooLarge, open_->name);
     return;
   }
   field.bytes = static_cast<uint32_t>(bytes.size());
-  structure_->initial.insert(structure_->initial.end(), bytes.begin(), bytes.end());
-  structure_->fields.push_back(field);
+  open_->initial.insert(open_->initial.end(), bytes.begin(), bytes.end());
+  open_->fields.push_back(field);
   if (name != nullptr) DefineField(*name, field);
-  if (statement.comment != nullptr) AddComment(*statement.comment, CommentPlace::kTrailing);
-  TakeComments();
+  comments_.AddComment(statement, CommentPlace::kTrailing);
+  comments_.TakeComments();
 }
 
-void Parser::DefineField(const Token& name, const StructureField& field) {
+void StructureReader::DefineField(const Token& name, const StructureField& field) {
   if (!context_.IsName(name)) return;
   const SymbolId known = context_.names.Find(name.text);
   if (known.valid() && context_.names[known].kind == SymbolKind::kField) {
@@ -103,25 +108,35 @@ void Parser::DefineField(const Token& name, const StructureField& field) {
   if (symbol.valid()) context_.names[symbol].faulty = faulty;
 }
 
-/// name ENDS
-void Parser::CloseStructure(const Statement& statement) {
+void StructureReader::CloseStructure(const Statement& statement) {
   const Token& name = statement.first();
-  if (!structure_) {
+  if (!open_) {
     context_.Report(statement.range, diag::TechnolEndsWithout, name.text);
     return;
   }
   ExpectEnd(statement, 2);
-  if (context_.names.Fold(name.text) != context_.names.Fold(structure_->name)) {
-    context_.Report(statement.range, diag::TechnolEndsMismatch, name.text, structure_->name)
-        .notes.push_back({structure_->range, "it was opened here"});
+  if (context_.names.Fold(name.text) != context_.names.Fold(open_->name)) {
+    context_.Report(statement.range, diag::TechnolEndsMismatch, name.text, open_->name)
+        .notes.push_back({open_->range, "it was opened here"});
   }
   FinishStructure();
-  TakeComments(statement);
+  comments_.TakeComments(statement);
 }
 
-void Parser::FinishStructure() {
-  Structure structure = std::move(*structure_);
-  structure_.reset();
+void StructureReader::LeaveOpenStructure(source::Range place) {
+  if (!open_) return;
+  context_.Report(place, diag::TechnolEndsMissing, open_->name);
+  FinishStructure();
+}
+
+const Structure* StructureReader::Find(SymbolId symbol) const {
+  const auto found = structures_.find(symbol);
+  return found == structures_.end() ? nullptr : &found->second;
+}
+
+void StructureReader::FinishStructure() {
+  Structure structure = std::move(*open_);
+  open_.reset();
   if (!structure.symbol.valid()) return;
   const auto known = structures_.find(structure.symbol);
   Symbol& symbol = context_.names[structure.symbol];
@@ -140,8 +155,7 @@ void Parser::FinishStructure() {
   if (!predefined) diagnostic.notes.push_back({symbol.range, "it is defined here"});
 }
 
-/// TAB_TECHNOLS and SET_NCTABS (5.4, 5.5): their fields are those of the areas.
-void Parser::AddControlStructures() {
+void StructureReader::AddControlStructures() {
   for (const auto& [area, name] :
        {std::pair(Area::kTabTechnol, "TAB_TECHNOLS"), std::pair(Area::kSetNctab, "SET_NCTABS")}) {
     Structure structure{.name = name};

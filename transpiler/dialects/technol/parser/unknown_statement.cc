@@ -1,0 +1,62 @@
+#include "transpiler/dialects/technol/parser/unknown_statement.h"
+
+namespace plcxx::technol {
+namespace {
+
+void ReportForeign(const Token& first, const std::string& upper, ParsingContext& context) {
+  const std::string_view meant = ForeignHint(upper);
+  if (meant.empty()) {
+    context.Report(first.range, diag::TechnolForeignInstruction, first.text);
+  } else {
+    context.Report(first.range, diag::TechnolForeignInstructionHint, first.text, meant);
+  }
+}
+
+/// Is the first word a label that lacks its colon?
+bool IsLabel(const Statement& statement) {
+  return statement.label == nullptr && OpByMnemonic(UpperWord(statement.words, 1)) != Op::kUnknown;
+}
+
+void ReportUnknownWord(const Statement& statement, ParsingContext& context) {
+  const Token& first = statement.first();
+  const std::string_view meant = ForeignHint(statement.upper);
+  const std::string_view near = NearMnemonic(statement.upper);
+  if (IsLabel(statement)) {
+    context.Report(first.range, diag::TechnolUnknownInstructionForeign, first.text,
+                   "a label ends with ':': " + std::string(first.text) + ":");
+  } else if (!meant.empty()) {
+    context.Report(first.range, diag::TechnolUnknownInstructionForeign, first.text, meant);
+  } else if (near.empty()) {
+    context.Report(first.range, diag::TechnolUnknownInstruction, first.text);
+  } else {
+    context.Report(first.range, diag::TechnolUnknownInstructionNear, first.text, near);
+  }
+}
+
+}  // namespace
+
+bool ReportUnknown(const Statement& statement, ParsingContext& context) {
+  const Token& first = statement.first();
+  const std::string& upper = statement.upper;
+  const SymbolId symbol = context.names.Find(first.text);
+  if (upper == "EQU" || upper == "STRUC" || upper == "STRUCT" || upper == "ENDS" || upper == "MACRO") {
+    context.Report(first.range, diag::TechnolStrayLine, first.text, "needs a name in front of it");
+    return false;
+  }
+  if (upper == "LEA") {
+    context.Report(first.range, diag::TechnolSegments, first.text);
+  } else if (IsForeignInstruction(upper)) {
+    ReportForeign(first, upper, context);
+  } else if (symbol.valid() && context.names[symbol].faulty) {
+    context.Forgive();
+    return false;
+  } else if (IsReserved(upper)) {
+    context.Report(first.range, diag::TechnolSyntax, Shown(&first), "an instruction");
+    return false;
+  } else {
+    ReportUnknownWord(statement, context);
+  }
+  return true;
+}
+
+}  // namespace plcxx::technol
