@@ -21,9 +21,19 @@ TEST(BitSolver, TellsNeverFromPossibleAndGivesValues) {
   const terms::TermId sum = terms.Eq(terms.Add(x, y), terms.Const(200, 8));
   const terms::TermId small = terms.And(terms.Ult(x, terms.Const(100, 8)), terms.Ult(y, terms.Const(100, 8)));
   const std::array both{sum, small};
-  EXPECT_EQ(solver->Check(both, kTime), solver::Answer::kNever);
-  ASSERT_EQ(solver->Check({&sum, 1}, kTime), solver::Answer::kPossible);
+  EXPECT_EQ(solver->Check(both, solver::Limit::Effort(kTime)), solver::Answer::kNever);
+  ASSERT_EQ(solver->Check({&sum, 1}, solver::Limit::Effort(kTime)), solver::Answer::kPossible);
   EXPECT_EQ((solver->ValueOf(x) + solver->ValueOf(y)) & 0xFF, 200U);
+}
+
+TEST(BitSolver, EffortIsCountedInSteps) {
+  terms::Terms terms;
+  const std::unique_ptr<solver::BitSolver> solver = solver::LoadBitSolver(terms);
+  // The only factors below 2^32 of a product of two primes.
+  const terms::TermId x = terms.Variable("x", 64), y = terms.Variable("y", 64), border = terms.Const(1ULL << 32U, 64);
+  const terms::TermId product = terms.Eq(terms.Mul(x, y), terms.Const(4294967291ULL * 4294967279ULL, 64));
+  const terms::TermId hard = terms.And(product, terms.And(terms.Ult(x, border), terms.Ult(y, border)));
+  EXPECT_EQ(solver->Check({&hard, 1}, {.effort_ms = 50, .clock_ms = solver::Limit::kNone}), solver::Answer::kUnknown);
 }
 
 TEST(BitSolver, SaysWhichConditionsTheAnswerNeeds) {
@@ -33,14 +43,14 @@ TEST(BitSolver, SaysWhichConditionsTheAnswerNeeds) {
   const terms::TermId a = terms.Variable("a", 1), b = terms.Variable("b", 1), c = terms.Variable("c", 1);
   solver->Assume(terms.Or(terms.Not(a), terms.Not(b)));
   const std::array all{c, a, b};
-  ASSERT_EQ(solver->Check(all, kTime), solver::Answer::kNever);
+  ASSERT_EQ(solver->Check(all, solver::Limit::Effort(kTime)), solver::Answer::kNever);
   EXPECT_EQ(solver->needed(), (std::vector<bool>{false, true, true}));
   // The same condition twice is needed twice, so that either may stay.
   const std::array twice{a, c, a, b};
-  ASSERT_EQ(solver->Check(twice, kTime), solver::Answer::kNever);
+  ASSERT_EQ(solver->Check(twice, solver::Limit::Effort(kTime)), solver::Answer::kNever);
   EXPECT_EQ(solver->needed(), (std::vector<bool>{true, false, true, true}));
   const std::array without{c, a};
-  EXPECT_EQ(solver->Check(without, kTime), solver::Answer::kPossible);
+  EXPECT_EQ(solver->Check(without, solver::Limit::Effort(kTime)), solver::Answer::kPossible);
   EXPECT_EQ(solver->ValueOf(b), 0U);
 }
 
@@ -50,11 +60,11 @@ TEST(BitSolver, ConditionsEndWithTheirQuestionAndAssumptionsStay) {
   ASSERT_NE(solver, nullptr);
   const terms::TermId a = terms.Variable("a", 1), b = terms.Variable("b", 1);
   const terms::TermId not_a = terms.Not(a);
-  ASSERT_EQ(solver->Check({&a, 1}, kTime), solver::Answer::kPossible);
-  ASSERT_EQ(solver->Check({&not_a, 1}, kTime), solver::Answer::kPossible);
+  ASSERT_EQ(solver->Check({&a, 1}, solver::Limit::Effort(kTime)), solver::Answer::kPossible);
+  ASSERT_EQ(solver->Check({&not_a, 1}, solver::Limit::Effort(kTime)), solver::Answer::kPossible);
   solver->Assume(not_a);
-  EXPECT_EQ(solver->Check({&a, 1}, kTime), solver::Answer::kNever);
-  EXPECT_EQ(solver->Check({&b, 1}, kTime), solver::Answer::kPossible);
+  EXPECT_EQ(solver->Check({&a, 1}, solver::Limit::Effort(kTime)), solver::Answer::kNever);
+  EXPECT_EQ(solver->Check({&b, 1}, solver::Limit::Effort(kTime)), solver::Answer::kPossible);
 }
 
 TEST(BitSolver, KnowsNothingOfFunctionsWithoutMeaning) {
@@ -65,9 +75,9 @@ TEST(BitSolver, KnowsNothingOfFunctionsWithoutMeaning) {
   const terms::FunctionId f = terms.Function("f", 4);
   const std::array conditions{terms.Eq(x, y), terms.Ne(terms.Apply(f, {&x, 1}), terms.Apply(f, {&y, 1}))};
   // Equal arguments give equal results, but not here: what is possible for this solver need not be.
-  EXPECT_EQ(solver->Check(conditions, kTime), solver::Answer::kPossible);
+  EXPECT_EQ(solver->Check(conditions, solver::Limit::Effort(kTime)), solver::Answer::kPossible);
   const terms::TermId differs = terms.Ne(terms.Apply(f, {&x, 1}), terms.Const(3, 4));
-  EXPECT_EQ(solver->Check({&differs, 1}, kTime), solver::Answer::kPossible);
+  EXPECT_EQ(solver->Check({&differs, 1}, solver::Limit::Effort(kTime)), solver::Answer::kPossible);
 }
 
 TEST(BitSolver, AgreesWithTryingAllValues) {
@@ -84,7 +94,8 @@ TEST(BitSolver, AgreesWithTryingAllValues) {
     for (uint64_t i = 0; i < 16; ++i) {
       for (uint64_t j = i + 1; j < 16; ++j) possible = possible || ((i * factor + j + offset) & 15) < limit;
     }
-    EXPECT_EQ(solver->Check(conditions, kTime), possible ? solver::Answer::kPossible : solver::Answer::kNever);
+    EXPECT_EQ(solver->Check(conditions, solver::Limit::Effort(kTime)),
+              possible ? solver::Answer::kPossible : solver::Answer::kNever);
     if (!possible) continue;
     const uint64_t i = solver->ValueOf(x), j = solver->ValueOf(y);
     EXPECT_LT(i, j);

@@ -28,8 +28,8 @@ TEST(Solver, TellsNeverFromPossibleAndGivesValues) {
   const terms::TermId sum = terms.Eq(terms.Add(x, y), terms.Const(200, 8));
   const terms::TermId small = terms.And(terms.Ult(x, terms.Const(100, 8)), terms.Ult(y, terms.Const(100, 8)));
   const std::array both{sum, small};
-  EXPECT_EQ(solver->Check(both, 10'000), solver::Answer::kNever);
-  ASSERT_EQ(solver->Check({&sum, 1}, 10'000), solver::Answer::kPossible);
+  EXPECT_EQ(solver->Check(both, solver::Limit::Effort(10'000)), solver::Answer::kNever);
+  ASSERT_EQ(solver->Check({&sum, 1}, solver::Limit::Effort(10'000)), solver::Answer::kPossible);
   EXPECT_EQ((solver->ValueOf(x) + solver->ValueOf(y)) & 0xFF, 200U);
 }
 
@@ -39,9 +39,9 @@ TEST(Solver, AssumptionsEndWithTheirPop) {
   const terms::TermId a = terms.Variable("a", 1);
   solver->Push();
   solver->Assume(terms.Not(a));
-  EXPECT_EQ(solver->Check({&a, 1}, 10'000), solver::Answer::kNever);
+  EXPECT_EQ(solver->Check({&a, 1}, solver::Limit::Effort(10'000)), solver::Answer::kNever);
   solver->Pop();
-  EXPECT_EQ(solver->Check({&a, 1}, 10'000), solver::Answer::kPossible);
+  EXPECT_EQ(solver->Check({&a, 1}, solver::Limit::Effort(10'000)), solver::Answer::kPossible);
 }
 
 TEST(Solver, UnknownFunctionsGiveEqualResultsForEqualArguments) {
@@ -50,8 +50,32 @@ TEST(Solver, UnknownFunctionsGiveEqualResultsForEqualArguments) {
   const terms::TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8);
   const terms::FunctionId f = terms.Function("f", 4);
   const std::array conditions{terms.Eq(x, y), terms.Ne(terms.Apply(f, {&x, 1}), terms.Apply(f, {&y, 1}))};
-  EXPECT_EQ(solver->Check(conditions, 10'000), solver::Answer::kNever);
-  EXPECT_EQ(solver->Check({&conditions[1], 1}, 10'000), solver::Answer::kPossible);
+  EXPECT_EQ(solver->Check(conditions, solver::Limit::Effort(10'000)), solver::Answer::kNever);
+  EXPECT_EQ(solver->Check({&conditions[1], 1}, solver::Limit::Effort(10'000)), solver::Answer::kPossible);
+}
+
+/// How far a solver comes must not depend on how much else the machine has to do: no clock ends this question.
+TEST(Solver, EffortIsCountedInSteps) {
+  terms::Terms terms;
+  const std::unique_ptr<solver::Solver> solver = Load(terms);
+  // The only factors below 2^32 of a product of two primes.
+  const terms::TermId x = terms.Variable("x", 64), y = terms.Variable("y", 64), border = terms.Const(1ULL << 32U, 64);
+  const terms::TermId product = terms.Eq(terms.Mul(x, y), terms.Const(4294967291ULL * 4294967279ULL, 64));
+  const terms::TermId hard = terms.And(product, terms.And(terms.Ult(x, border), terms.Ult(y, border)));
+  EXPECT_EQ(solver->Check({&hard, 1}, {.effort_ms = 50, .clock_ms = solver::Limit::kNone}), solver::Answer::kUnknown);
+  const terms::TermId easy = terms.Eq(x, y);
+  EXPECT_EQ(solver->Check({&easy, 1}, {.effort_ms = 50, .clock_ms = solver::Limit::kNone}), solver::Answer::kPossible);
+}
+
+TEST(Solver, LimitsOfEffortWaitForASlowMachineButNotBeyondTheCommandsTime) {
+  const solver::Limit limit = solver::Limit::Effort(100);
+  EXPECT_EQ(limit.effort_ms, 100U);
+  EXPECT_EQ(limit.clock_ms, 100 * solver::Limit::kPatience);
+  EXPECT_EQ(limit.Within(7).clock_ms, 7U);
+  EXPECT_EQ(limit.Within(7).effort_ms, 100U);
+  EXPECT_EQ(limit.Within(1'000'000).clock_ms, limit.clock_ms);
+  EXPECT_EQ(solver::Limit::Effort(solver::Limit::kNone - 1).clock_ms, solver::Limit::kNone);
+  EXPECT_EQ(solver::Limit::Clock(5).effort_ms, solver::Limit::kNone);
 }
 
 /// A term over the variables, of random shape.
@@ -124,7 +148,7 @@ TEST(SmtText, AnotherSolverAgrees) {
         i % 2 == 0 ? terms.Ne(terms.Add(a, b), terms.Sub(a, terms.Not(terms.Sub(b, terms.Const(1, 6)))))
                    : terms.And(terms.Slt(a, b), terms.Ult(terms.Xor(a, b), terms.Const(5, 6)));
     if (terms.IsConst(question)) continue;
-    const solver::Answer answer = solver->Check({&question, 1}, 20'000);
+    const solver::Answer answer = solver->Check({&question, 1}, solver::Limit::Effort(20'000));
     never += answer == solver::Answer::kNever ? 1 : 0;
     EXPECT_EQ(AskCvc5(solver::SmtText(terms, {&question, 1})), answer == solver::Answer::kNever ? "unsat\n" : "sat\n")
         << solver::SmtText(terms, {&question, 1});

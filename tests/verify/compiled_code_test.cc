@@ -342,7 +342,7 @@ class UndefinedTest : public CompiledCodeTest, public ::testing::WithParamInterf
       solver::LoadedSolver loaded = solver::LoadSolver(terms_);
       if (loaded.solver == nullptr) return {loaded.reason};
       for (const verify::Obligation& obligation : outcome.obligations) {
-        if (loaded.solver->Check({&obligation.never, 1}, kSolverMs) != solver::Answer::kNever)
+        if (loaded.solver->Check({&obligation.never, 1}, solver::Limit::Effort(kSolverMs)) != solver::Answer::kNever)
           texts.push_back(obligation.text);
       }
     }

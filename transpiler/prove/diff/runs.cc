@@ -118,8 +118,8 @@ void SearchRuns(Comparison& comparison) {
     for (const OpenPair& pair : pairs) {
       if (pair.result->run || comparison.RestMs() <= end_ms) continue;
       const auto rest_ms = static_cast<uint32_t>(comparison.RestMs() - end_ms);
-      const solver::Answer answer =
-          comparison.solver->Check({&pair.differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
+      const solver::Answer answer = comparison.solver->Check(
+          {&pair.differ, 1}, solver::Limit::Effort(comparison.limits.question_ms).Within(rest_ms));
       if (answer != solver::Answer::kPossible) continue;
       const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, {&pair.differ, 1});
       const std::vector<uint64_t> values = solver::ModelValues(comparison.terms, *comparison.solver, cone);
@@ -230,8 +230,8 @@ void SearchStates(Comparison& comparison) {
   for (const OpenPair& pair : pairs) {
     if (pair.result->run || comparison.RestMs() <= end_ms) continue;
     const auto rest_ms = static_cast<uint32_t>(comparison.RestMs() - end_ms);
-    const solver::Answer answer =
-        comparison.solver->Check({&pair.differ, 1}, std::min(comparison.limits.question_ms, rest_ms));
+    const solver::Answer answer = comparison.solver->Check(
+        {&pair.differ, 1}, solver::Limit::Effort(comparison.limits.question_ms).Within(rest_ms));
     if (answer != solver::Answer::kPossible) continue;
     const std::vector<terms::TermId> cone = terms::ConeOf(comparison.terms, {&pair.differ, 1});
     const std::vector<uint64_t> values = solver::ModelValues(comparison.terms, *comparison.solver, cone);

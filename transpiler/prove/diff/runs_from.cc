@@ -54,8 +54,9 @@ void RunsFrom(const UnrolledVersions& versions, const SeenState& state, const st
       const terms::TermId differ = terms.Ne(question.old_value, question.new_value);
       if (terms.IsFalse(differ) || !is_open(question.cell)) continue;
       ++asked;
-      const auto most_ms = static_cast<uint32_t>(std::clamp<int64_t>(rest_ms(), 1, limits.question_ms));
-      if (loaded.solver->Check({&differ, 1}, most_ms) != solver::Answer::kPossible) continue;
+      const auto limit =
+          solver::Limit::Effort(limits.question_ms).Within(static_cast<uint64_t>(std::max<int64_t>(1, rest_ms())));
+      if (loaded.solver->Check({&differ, 1}, limit) != solver::Answer::kPossible) continue;
       const std::vector<terms::TermId> cone = terms::ConeOf(terms, {&differ, 1});
       const std::vector<uint64_t> values = solver::ModelValues(terms, *loaded.solver, cone);
       found(unrolled.RunOf(terms::Justification(terms, cone, values).ReasonsFor(differ), values));

@@ -41,7 +41,12 @@ class InvariantFinder::Finder {
     terms::TermId holds, fails;  // before a part, and after any
   };
 
-  bool Late() const { return std::chrono::steady_clock::now() >= deadline_; }
+  bool Late() const { return RestMs() == 0; }
+  uint32_t RestMs() const {
+    using std::chrono::milliseconds;
+    const auto rest = std::chrono::duration_cast<milliseconds>(deadline_ - std::chrono::steady_clock::now()).count();
+    return static_cast<uint32_t>(std::clamp<int64_t>(rest, 0, solver::Limit::kNone - 1));
+  }
   terms::TermId Current(execute::CellId cell);
   terms::TermId Next(const machine::Transition& part, execute::CellId cell);
   /// false: it cannot be executed, or not in time.
@@ -184,7 +189,9 @@ void InvariantFinder::Finder::RunOn(int periods, uint64_t one_in, const std::fun
 bool InvariantFinder::Finder::HoldsAtPowerOn(const Invariant& guess) {
   const terms::TermId wrong =
       terms_.Not(ConditionOf(terms_, guess, [this](execute::CellId cell) { return init_.next[cell.index]; }));
-  return terms_.IsFalse(wrong) || (!Late() && solver_.Check({&wrong, 1}, kPowerOnMs) == solver::Answer::kNever);
+  return terms_.IsFalse(wrong) ||
+         (!Late() &&
+          solver_.Check({&wrong, 1}, solver::Limit::Effort(kPowerOnMs).Within(RestMs())) == solver::Answer::kNever);
 }
 
 void InvariantFinder::Finder::MakeGuesses() {
@@ -288,7 +295,8 @@ void InvariantFinder::Finder::ProveAlone() {
     Guess guess = std::move(untried_.back());
     untried_.pop_back();
     const std::array question{guess.holds, guess.fails};
-    if (terms_.IsFalse(guess.fails) || solver_.Check(question, kAloneMs) == solver::Answer::kNever) {
+    if (terms_.IsFalse(guess.fails) ||
+        solver_.Check(question, solver::Limit::Effort(kAloneMs).Within(RestMs())) == solver::Answer::kNever) {
       Keep(std::move(guess));
     } else {
       guesses_.push_back(std::move(guess));
@@ -308,10 +316,8 @@ bool InvariantFinder::Finder::Prove() {
     }
     if (terms_.IsFalse(any)) return true;
     question.push_back(any);
-    const auto rest =
-        std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - std::chrono::steady_clock::now());
-    if (rest.count() <= 0) return false;
-    switch (bits_->Check(question, static_cast<uint32_t>(rest.count()))) {
+    if (Late()) return false;
+    switch (bits_->Check(question, solver::Limit::Clock(RestMs()))) {
       case solver::Answer::kNever:
         return true;
       case solver::Answer::kUnknown:

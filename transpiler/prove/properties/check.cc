@@ -366,7 +366,7 @@ solver::Answer PropertyChecker::Ask(std::span<const terms::TermId> conditions, u
   // The solver's time begins when it has read the question.
   too_large_ = terms::ConeOf(terms_, conditions).size() > kMostQuestionTerms;
   if (too_large_) return solver::Answer::kUnknown;
-  return solver_->Check(conditions, std::max(1U, milliseconds));
+  return solver_->Check(conditions, solver::Limit::Clock(std::max(1U, milliseconds)));
 }
 
 void PropertyChecker::FindInvariantsFor(const Property& property) {

@@ -136,7 +136,8 @@ void Search::AddLayer() {
 solver::Answer Search::Ask(std::vector<terms::TermId> conditions, uint32_t layer) {
   for (uint32_t i = layer; i <= (layer == 0 ? 0 : Top()); ++i) conditions.push_back(active_[i]);
   const uint32_t rest_ms = question_.rest_ms();
-  const solver::Answer answer = rest_ms == 0 ? solver::Answer::kUnknown : solver_.Check(conditions, rest_ms);
+  const solver::Answer answer =
+      rest_ms == 0 ? solver::Answer::kUnknown : solver_.Check(conditions, solver::Limit::Clock(rest_ms));
   unknown_ = unknown_ || answer == solver::Answer::kUnknown;
   return answer;
 }
@@ -207,7 +208,7 @@ bool Search::Lift(std::span<const terms::TermId> targets, Obligation& obligation
     for (const Source& source : sources) conditions.push_back(source.is);
     conditions.push_back(terms_.Not(all));
     const uint32_t rest_ms = question_.rest_ms();
-    if (rest_ms == 0 || solver_.Check(conditions, rest_ms) != solver::Answer::kNever) {
+    if (rest_ms == 0 || solver_.Check(conditions, solver::Limit::Clock(rest_ms)) != solver::Answer::kNever) {
       unknown_ = true;
       return false;
     }
@@ -403,7 +404,7 @@ bool AreProof(const ReachQuestion& question, const FoundFacts& facts) {
   }
   const auto never = [&](std::span<const terms::TermId> all) {
     const uint32_t rest_ms = question.rest_ms();
-    return rest_ms != 0 && solver->Check(all, rest_ms) == solver::Answer::kNever;
+    return rest_ms != 0 && solver->Check(all, solver::Limit::Clock(rest_ms)) == solver::Answer::kNever;
   };
   if (!terms.IsFalse(wrong_at_start) && !never({&wrong_at_start, 1})) return false;
   conditions.push_back(question.bad);

@@ -450,7 +450,7 @@ bool Finder::Prove() {
     conditions.push_back(any);
     const uint32_t rest_ms = question_.reach.rest_ms();
     if (rest_ms <= end_ms_) return false;
-    const solver::Answer answer = question_.solver.Check(conditions, rest_ms - end_ms_);
+    const solver::Answer answer = question_.solver.Check(conditions, solver::Limit::Clock(rest_ms - end_ms_));
     if (answer == solver::Answer::kNever) return true;
     if (answer == solver::Answer::kUnknown) return false;
     std::vector<Guess> kept;

@@ -78,6 +78,11 @@ class LocalSweep {
     return id.index < representative_.size() && representative_[id.index].valid() ? representative_[id.index] : id;
   }
   bool Late() const { return std::chrono::steady_clock::now() >= deadline_; }
+  uint64_t RestMs() const {
+    using std::chrono::milliseconds;
+    const auto rest = std::chrono::duration_cast<milliseconds>(deadline_ - std::chrono::steady_clock::now()).count();
+    return static_cast<uint64_t>(std::max<int64_t>(1, rest));
+  }
 
   terms::Terms& terms_;
   solver::Solver& solver_;
@@ -316,7 +321,7 @@ solver::Answer LocalSweep::Ask(terms::TermId condition, uint32_t milliseconds) {
   if (!known.has_tried_values) known.answer = AskValues(condition);
   known.has_tried_values = true;
   if (known.answer == solver::Answer::kUnknown) {
-    known.answer = solver_.Check({&condition, 1}, milliseconds);
+    known.answer = solver_.Check({&condition, 1}, solver::Limit::Effort(milliseconds).Within(RestMs()));
     known.milliseconds = milliseconds;
   }
   return known.answer;

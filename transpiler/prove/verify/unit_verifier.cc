@@ -308,7 +308,9 @@ CodeDifference UnitVerifier::Show(solver::Solver& solver, const Question& questi
     return difference;
   };
   const terms::TermId differ = terms_.Ne(asked.a, asked.b);
-  if (solver.Check({&differ, 1}, program_.limits.question_ms) == solver::Answer::kPossible) {
+  if (solver.Check({&differ, 1},
+                   solver::Limit::Effort(program_.limits.question_ms).Within(program_.limits.routine_ms)) ==
+      solver::Answer::kPossible) {
     const std::array roots = {differ, question.pair.a, question.pair.b};
     const std::vector<uint64_t> values = solver::ModelValues(terms_, solver, terms::ConeOf(terms_, roots));
     if (values[differ.index] != 0) {
@@ -453,7 +455,8 @@ RoutineProof UnitVerifier::Run() {
     const auto matching = in_order ? CallLog::Matching::kByOrder : CallLog::Matching::kByArguments;
     const auto never = [this, &loaded](terms::TermId condition) {
       return terms_.IsFalse(condition) ||
-             (!terms_.IsTrue(condition) && loaded.solver->Check({&condition, 1}, kBranchMs) == solver::Answer::kNever);
+             (!terms_.IsTrue(condition) &&
+              loaded.solver->Check({&condition, 1}, solver::Limit::Effort(kBranchMs)) == solver::Answer::kNever);
     };
     replaced_ = std::make_unique<Replaced>(program_, hash_, CallLog(terms_, matching, never), replaces,
                                            [this](terms::TermId when, terms::TermId code) { NoteFault(when, code); });

@@ -24,8 +24,8 @@ class BitSolver {
 
   /// From now on `condition` (width 1) holds in every question.
   virtual void Assume(terms::TermId condition) = 0;
-  /// Whether all of `conditions` can be 1 at once, within about so many milliseconds.
-  virtual Answer Check(std::span<const terms::TermId> conditions, uint32_t milliseconds) = 0;
+  /// Whether all of `conditions` can be 1 at once.
+  virtual Answer Check(std::span<const terms::TermId> conditions, const Limit& limit) = 0;
   /// After kNever: by condition of the question, whether the answer needs it.
   virtual const std::vector<bool>& needed() const = 0;
   /// After kPossible: the value of a term there. What the question does not depend on is 0.

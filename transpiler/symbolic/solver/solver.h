@@ -16,7 +16,28 @@ namespace plcxx::solver {
 enum class Answer : uint8_t {
   kNever,     // no values of the variables make all conditions 1
   kPossible,  // ValueOf tells some that do
-  kUnknown    // the time was not enough
+  kUnknown    // the limit was not enough
+};
+
+/// How much a question may take. Effort is counted in steps of the solver, so many as an idle core makes in a
+/// millisecond: on a loaded or a slow machine the answer comes later, and is the same.
+struct Limit {
+  static constexpr uint32_t kNone = 0xFFFFFFFF;
+  static constexpr uint32_t kPatience = 20;  // times as long by the clock: who measures a slow machine waits for it
+
+  uint32_t effort_ms = kNone;
+  uint32_t clock_ms = kNone;
+
+  /// So much effort, and what it takes by the clock on a machine that is kPatience times slower.
+  static Limit Effort(uint32_t ms) {
+    return {.effort_ms = ms, .clock_ms = ms < kNone / kPatience ? ms * kPatience : kNone};
+  }
+  /// By the clock alone: where a command's own time ends.
+  static Limit Clock(uint32_t ms) { return {.effort_ms = kNone, .clock_ms = ms}; }
+  /// Not beyond so many milliseconds by the clock.
+  Limit Within(uint64_t rest_ms) const {
+    return {.effort_ms = effort_ms, .clock_ms = rest_ms < clock_ms ? static_cast<uint32_t>(rest_ms) : clock_ms};
+  }
 };
 
 class Solver {
@@ -31,8 +52,8 @@ class Solver {
   /// Assumptions made between Push and Pop are forgotten at Pop.
   virtual void Push() = 0;
   virtual void Pop() = 0;
-  /// Whether all of `conditions` can be 1 at once, within about so many milliseconds.
-  virtual Answer Check(std::span<const terms::TermId> conditions, uint32_t milliseconds) = 0;
+  /// Whether all of `conditions` can be 1 at once.
+  virtual Answer Check(std::span<const terms::TermId> conditions, const Limit& limit) = 0;
   /// After kPossible: the value of a term there. What the question does not depend on is 0.
   virtual uint64_t ValueOf(terms::TermId term) = 0;
 };

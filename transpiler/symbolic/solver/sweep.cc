@@ -42,6 +42,10 @@ class Sweeper {
   void SweepTerm(terms::TermId id);
   Answer Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds);
   bool Late() const { return Clock::now() >= deadline_; }
+  Limit LimitOf(uint32_t effort_ms) const {
+    const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
+    return Limit::Effort(effort_ms).Within(static_cast<uint64_t>(std::max<int64_t>(1, rest)));
+  }
   terms::TermId Representative(terms::TermId id) const {
     return id.index < representative_.size() && representative_[id.index].valid() ? representative_[id.index] : id;
   }
@@ -133,11 +137,11 @@ Answer Sweeper::Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds) 
   if (terms_.IsFalse(differ)) return Answer::kNever;
   const std::string form =
       limits_.answered == nullptr ? std::string() : terms::FormOf(terms_, differ, kMostTermsOfForm).value_or("");
-  if (form.empty()) return solver_.Check({&differ, 1}, milliseconds);
+  if (form.empty()) return solver_.Check({&differ, 1}, LimitOf(milliseconds));
   Answered& known = (*limits_.answered)[form];
   // Where it is possible, who asks wants the values, too.
   if (known.answer != Answer::kPossible && known.Settles(milliseconds)) return known.answer;
-  known.answer = solver_.Check({&differ, 1}, milliseconds);
+  known.answer = solver_.Check({&differ, 1}, LimitOf(milliseconds));
   known.milliseconds = milliseconds;
   return known.answer;
 }

@@ -148,7 +148,8 @@ Shown FactRun::Show(Attempt& attempt, const Question& question, terms::TermId wr
     shown.reason = "what its loops keep does not show it";
     return shown;
   }
-  if (attempt.solver->Check({&wrong, 1}, limits_.question_ms) != solver::Answer::kPossible) {
+  if (attempt.solver->Check({&wrong, 1}, solver::Limit::Effort(limits_.question_ms).Within(limits_.routine_ms)) !=
+      solver::Answer::kPossible) {
     shown.reason = "not within the time";
     return shown;
   }

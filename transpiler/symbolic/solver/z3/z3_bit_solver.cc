@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "transpiler/symbolic/solver/bit_solver.h"
+#include "transpiler/symbolic/solver/z3/limits.h"
 #include "transpiler/symbolic/solver/z3/translation.h"
 
 namespace plcxx::solver {
@@ -25,7 +26,7 @@ class Z3BitSolver : public BitSolver {
 
   void Assume(terms::TermId condition) override { solver_.add(translation_.Holds(condition)); }
 
-  Answer Check(std::span<const terms::TermId> conditions, uint32_t milliseconds) override {
+  Answer Check(std::span<const terms::TermId> conditions, const Limit& limit) override {
     model_.reset();
     needed_.assign(conditions.size(), false);
     try {
@@ -38,9 +39,7 @@ class Z3BitSolver : public BitSolver {
         same[at->second].push_back(i);
         if (added) assumptions.push_back(literal);
       }
-      z3::params parameters(context_);
-      parameters.set("timeout", milliseconds);
-      solver_.set(parameters);
+      solver_.set(Parameters(context_, limit));
       const z3::check_result result = solver_.check(assumptions);
       if (result == z3::sat) model_ = std::make_unique<z3::model>(solver_.get_model());
       if (result == z3::unsat) {
@@ -52,7 +51,7 @@ class Z3BitSolver : public BitSolver {
       }
       return result == z3::unsat ? Answer::kNever : result == z3::sat ? Answer::kPossible : Answer::kUnknown;
     } catch (const z3::exception&) {
-      return Answer::kUnknown;  // a timeout inside a simplification
+      return Answer::kUnknown;  // a limit inside a simplification
     }
   }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "transpiler/symbolic/solver/solver.h"
+#include "transpiler/symbolic/solver/z3/limits.h"
 #include "transpiler/symbolic/solver/z3/translation.h"
 
 namespace plcxx::solver {
@@ -40,7 +41,7 @@ class Z3Solver : public Solver {
     assumed_applies_.pop_back();
   }
 
-  Answer Check(std::span<const terms::TermId> conditions, uint32_t milliseconds) override {
+  Answer Check(std::span<const terms::TermId> conditions, const Limit& limit) override {
     model_.reset();
     z3::expr_vector holds(context_);
     bool applies = assumed_applies_.back();
@@ -48,13 +49,13 @@ class Z3Solver : public Solver {
       holds.push_back(translation_.Holds(condition));
       applies = applies || translation_.Applies(condition);
     }
-    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(limit.clock_ms);
     const auto ask = [&](z3::solver& solver, bool defines) {
       solver.push();
       if (defines) Define(solver, conditions);
       const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
       const Answer answer =
-          rest.count() <= 0 ? Answer::kUnknown : Ask(solver, holds, static_cast<uint32_t>(rest.count()));
+          rest.count() <= 0 ? Answer::kUnknown : Ask(solver, holds, limit.Within(static_cast<uint64_t>(rest.count())));
       solver.pop();
       return answer;
     };
@@ -71,18 +72,16 @@ class Z3Solver : public Solver {
   }
 
  private:
-  Answer Ask(z3::solver& solver, const z3::expr_vector& holds, uint32_t milliseconds) {
+  Answer Ask(z3::solver& solver, const z3::expr_vector& holds, const Limit& limit) {
     try {
-      z3::params parameters(context_);
-      parameters.set("timeout", milliseconds);
-      solver.set(parameters);
+      solver.set(Parameters(context_, limit));
       for (const z3::expr& one : holds) solver.add(one);
       const z3::check_result result = solver.check();
       model_.reset();
       if (result == z3::sat) model_ = std::make_unique<z3::model>(solver.get_model());
       return result == z3::unsat ? Answer::kNever : result == z3::sat ? Answer::kPossible : Answer::kUnknown;
     } catch (const z3::exception&) {
-      return Answer::kUnknown;  // a timeout inside a simplification
+      return Answer::kUnknown;  // a limit inside a simplification
     }
   }
 
