@@ -46,6 +46,22 @@ TEST(HncKnownBounds, OfAPointerThatMayBe0TheAccessIsChecked) {
   EXPECT_FALSE(IsChecked("int *p; p = table; if (b) p = &table[1]; a = *p;"));
 }
 
+// Each kind of loop, with the counter k: a local keeps what is known of it, a global may be forced to anything.
+TEST(HncKnownBounds, ACounterThatMayBeForcedIsNoProofOfAnIndex) {
+  for (const std::string loop : {
+           "for (k = 0; k < 8; k++) table[k] = 1;",
+           "for (k = 7; k >= 0; k--) table[k] = 1;",
+           "k = 0; while (k < 8) { table[k] = 1; k++; }",
+           "k = 0; do { table[k] = 1; k++; } while (k < 8);",
+           "k = 7; do { table[k] = 1; k -= 3; } while (k > 0);",
+       }) {
+    EXPECT_FALSE(IsChecked("int k; " + loop)) << loop;
+    std::string global = loop;
+    std::ranges::replace(global, 'k', 'n');
+    EXPECT_TRUE(IsChecked(global)) << global;
+  }
+}
+
 TEST(HncKnownBounds, ASelectorThatTheSwitchChangesIsNotItsLabel) {
   EXPECT_FALSE(IsChecked("switch (b) { case 7: a = table[b]; break; }"));
   EXPECT_TRUE(IsChecked("switch (b++) { case 7: a = table[b]; break; }"));  // 8 by then
