@@ -148,9 +148,16 @@ def make_sources(mutate, folders):
     os.replace(table, TABLE)
 
 
+def compiler():
+    """That of the checkout: of what another one compiles the cache has nothing."""
+    cache = ROOT / "build/CMakeCache.txt"
+    found = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.+)$", cache.read_text(), re.M) if cache.exists() else None
+    return [f"-DCMAKE_CXX_COMPILER={found[1]}"] if found else []
+
+
 def build(jobs, folders):
     if not (BUILD / "build.ninja").exists():
-        subprocess.run(["cmake", "-G", "Ninja", "-S", SOURCE, "-B", BUILD], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["cmake", "-G", "Ninja", "-S", SOURCE, "-B", BUILD, *compiler()], check=True, stdout=subprocess.DEVNULL)
     listed = subprocess.run(["ninja", "-C", BUILD, "-t", "targets", "all"], check=True, capture_output=True,
                             text=True).stdout
     targets = [name for name in re.findall(r"^(\w+_test): phony", listed, re.M) if name.startswith(TESTS)]
