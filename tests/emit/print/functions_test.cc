@@ -230,21 +230,37 @@ TEST(Functions, GiveWhatAHostFunctionHasPutThere) {
   EXPECT_THAT(other, HasSubstr("return m[W];\n"));
 }
 
+std::string HeaderOf(const ir::Program& program) {
+  const source::SourceManager sources;
+  std::string header;
+  for (const OutputFile& file : PrintCpp(legalize::Legalize(program, {.name = "p"}), sources))
+    if (file.name.ends_with(".hpp")) header = file.text;
+  return header;
+}
+
 // Blank lines part what belongs together, one at a time.
 TEST(Functions, AreInAHeaderOfParagraphs) {
   const ir::Program program = ir::ReadOrDie(
       std::string(kHeadDeclarations) +
       "routine fast fast {\n body {\n %0 = const i32 1\n host stop (%0)\n %1 = load a\n store b %1\n }\n}\n"
       "message 3 colour 1 \"x\"\ntable t (n : i16, name : none)\nrow 1 \"one\"\nrow 2 \"two\"\n");
-  const source::SourceManager sources;
-  std::string header;
-  for (const OutputFile& file : PrintCpp(legalize::Legalize(program, {.name = "p"}), sources))
-    if (file.name.ends_with(".hpp")) header = file.text;
-  EXPECT_THAT(header, HasSubstr("struct Host;\nstruct State;\n\n/// stops\n"));
+  const std::string header = HeaderOf(program);
+  EXPECT_THAT(header, HasSubstr("// How the scan reaches the control: you define Host and these functions.\n"
+                                "struct Host;\nstruct State;\n\n/// stops\n"));
   EXPECT_THAT(header, HasSubstr("/// stops\nvoid stop(Host& host, uint32_t index) noexcept;\n\n"));
   EXPECT_THAT(header, HasSubstr("void fast(State& m, Host& host) noexcept;\n\n"));
   EXPECT_THAT(header, HasSubstr("    {3, 1, \"x\"},\n};\n\nstruct t_row {\n  uint16_t n;\n  const char* name;\n};\n"
                                 "inline constexpr t_row t[] = {\n    {1, \"one\"},\n    {2, \"two\"},\n};\n\n}"));
+  EXPECT_THAT(header, Not(HasSubstr("\n\n\n")));
+}
+
+// Where no function of the control is called none is announced, and there is one blank line in place of them.
+TEST(Functions, AreNotAnnouncedWhereThereAreNone) {
+  const std::string header = HeaderOf(ir::ReadOrDie(
+      std::string(kHeadDeclarations) + "routine fast fast {\n body {\n %1 = load a\n store b %1\n }\n}\n"));
+  EXPECT_THAT(header, HasSubstr("// The scan calls no function of the control: you define Host, which may be empty.\n"
+                                "struct Host;\nstruct State;\n\n//"));
+  EXPECT_THAT(header, Not(HasSubstr("these functions")));
   EXPECT_THAT(header, Not(HasSubstr("\n\n\n")));
 }
 

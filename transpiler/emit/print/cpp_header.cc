@@ -1,5 +1,7 @@
 // The generated header: host functions, tags, State, entry points, texts.
 
+#include <algorithm>
+
 #include "transpiler/emit/print/cpp_printer.h"
 #include "transpiler/emit/print/host_function_head.h"
 #include "transpiler/ir/builder.h"
@@ -42,9 +44,13 @@ void HeaderPrinter::Top() {
 }
 
 void HeaderPrinter::HostFunctions() {
-  out_ += "// How the scan reaches the control: you define Host and these functions.\nstruct Host;\nstruct State;\n";
+  const bool any_used = std::ranges::find(emittable_.host_used, true) != emittable_.host_used.end();
+  out_ += any_used ? "// How the scan reaches the control: you define Host and these functions.\n"
+                   : "// The scan calls no function of the control: you define Host, which may be empty.\n";
+  out_ += "struct Host;\nstruct State;\n";
   if (emittable_.layout.retentive_bytes > 0) out_ += "struct Retentive;\n";
   out_ += '\n';
+  if (!any_used) return;
   for (uint32_t i = 0; i < program_.host_functions.size(); ++i) {
     if (!emittable_.host_used[i]) continue;
     const ir::HostFunction& function = program_.host_functions[ir::HostFunctionId(i)];
