@@ -331,6 +331,19 @@ TEST(HncLowering, EachVariableIsDocumentedByItsName) {
   EXPECT_EQ(symbols["n"], "n");
 }
 
+// A cell of an area by its macro, or by what the generated code calls it; one of a variable as scenarios name it.
+TEST(HncLowering, EachCellIsDocumentedByWhatItIsCalled) {
+  LoweredProgram lowered;
+  LowerInto(lowered, "#define LAMP Y[3]\n" + WithStatements("LAMP = X[4]; R_ui[2] = 7; table[5] = *G[7];"));
+  std::map<std::string, std::string> symbols;
+  for (const ir::Documentation& known : lowered.program().documentation) symbols[known.address] = known.symbols;
+  EXPECT_EQ(symbols["Y[3]"], "LAMP");
+  EXPECT_EQ(symbols["X[4]"], "X4");
+  EXPECT_EQ(symbols["R_ui[2]"], "R_ui_2");
+  EXPECT_EQ(symbols["G[7]"], "G7");
+  EXPECT_EQ(symbols["table[5]"], "table[5]");
+}
+
 TEST(HncLowering, OfAnIntegerTheInitialValueIsDocumented) {
   LoweredProgram lowered;
   LowerInto(lowered,

@@ -111,9 +111,7 @@ class Lowering {
 };
 
 ir::Program Lowering::Run() {
-  const Unit& unit = translation_.unit;
   translation_.program.dialect = "hnc";
-  const bool has_entries = unit.init.valid() && unit.plc1.valid() && unit.plc2.valid();
   memory_.AddSpaces();
   memory_.AddVariables();
   places_.CollectNames();
@@ -122,7 +120,7 @@ ir::Program Lowering::Run() {
   stated_.Begin();
   functions_.AddRoutines();
   for (const FunctionId id : functions_.CalleesFirst()) functions_.Lower(id);
-  if (!has_entries || scope_ == Scope::kAll || translation_.diagnostics.HasErrors()) return {};
+  if (scope_ == Scope::kAll || translation_.diagnostics.HasErrors()) return {};  // a missing entry is an error
   schedule_.AddRoutines();
   symbols_.Add();
   symbols_.Document();
