@@ -209,6 +209,19 @@ TEST(HncLowering, APointerToOneObjectHasNoRoomForWhichItIs) {
   EXPECT_EQ(bytes("p = table + X[0]; if (X[1]) p = &other;"), 6U);
 }
 
+// Of pointers into different objects there is no difference and no order; one that refers to nothing has no object.
+TEST(HncLowering, OnlyPointersWithObjectsAreIntoDifferentOnes) {
+  for (const char* operation : {"p - q", "q - p", "p < q", "q >= p"}) {
+    const std::string stored = std::string("a = ") + operation + ";";
+    EXPECT_THAT(Errors("int *p, *q; p = table; q = &table[3]; " + stored), testing::IsEmpty()) << operation;
+    EXPECT_THAT(Errors("int *p, *q; p = table; q = 0; " + stored), testing::IsEmpty()) << operation;
+    EXPECT_THAT(Errors("int *p, *q; p = 0; q = 0; " + stored), testing::IsEmpty()) << operation;
+    EXPECT_THAT(Errors("int *p, *q; p = table; q = &b; " + stored), testing::ElementsAre(testing::StartsWith("3 E")))
+        << operation;
+  }
+  EXPECT_THAT(Errors("int *p, *q; p = table; q = &b; a = p == q;"), testing::IsEmpty());
+}
+
 TEST(HncLowering, PointersToSeveralObjectsChoose) {
   EXPECT_TRUE(HasLine(Body("int *p; if (a) p = table; else p = R_i; *p = 5;"), "switch"));
 }

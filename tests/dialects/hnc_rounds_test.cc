@@ -128,6 +128,9 @@ TEST(HncRounds, OfRanges) {
       {"if (n == 9) for (i = 0; i < n; i++) a++;", 9},
       {"if (n > 9 || b) return; for (i = 0; i < n; i++) a++;", 9},
       {"if (n < 9 && n > 3) for (i = n; i < 20; i++) a++;", 16},
+      {"int k = X[0]; if (k) for (i = k; i < 20; i++) a++;", 19},
+      // Known to be 0, and not 0 all the same: nothing is known of it then.
+      {"int k = 0; if (k) for (i = k; i < 5; i++) a++;", 5},
       // Of a bit-field its width is known, and nothing that is known of all its bytes.
       {"union { int i; struct { int f : 4; } s; } v; v.i = 8; for (i = 4; i > v.s.f; i--) a++;", 12},
       {"union { int i; struct { int f : 4; } s; } v; if (v.i == 8) for (i = 4; i > v.s.f; i--) a++;", 12},

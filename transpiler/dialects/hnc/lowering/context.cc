@@ -86,9 +86,6 @@ bool Context::IsSimple(ExprId id) const {
   ForEachExpr(unit_, id, [&](ExprId part) {
     const Expr& expr = ExprAt(part);
     switch (expr.kind) {
-      case ExprKind::kComma:
-        simple = false;
-        break;
       case ExprKind::kIndex:
       case ExprKind::kDereference:
         if (!facts_.AddressOf(part)) simple = false;
@@ -113,6 +110,7 @@ bool Context::IsSimple(ExprId id) const {
       case ExprKind::kAnd:
       case ExprKind::kOr:
       case ExprKind::kConditional:
+      case ExprKind::kComma:
       case ExprKind::kAssign:
       case ExprKind::kCompoundAssign:
       case ExprKind::kIncrement:

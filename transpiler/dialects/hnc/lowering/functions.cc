@@ -8,7 +8,6 @@
 #include "transpiler/dialects/hnc/lowering/jumps.h"
 #include "transpiler/dialects/hnc/lowering/live_path.h"
 #include "transpiler/dialects/hnc/lowering/locals.h"
-#include "transpiler/dialects/hnc/lowering/loops.h"
 #include "transpiler/dialects/hnc/lowering/memory.h"
 #include "transpiler/dialects/hnc/lowering/records.h"
 #include "transpiler/dialects/hnc/lowering/returns.h"
@@ -137,7 +136,6 @@ void Functions::Lower(FunctionId id) {
   path_.BeginFunction();
   gotos_.BeginFunction();
   switches_.BeginFunction();
-  loops_.BeginFunction();
   writer_.BeginFunction(function);
   jumps_.Find(function);
   const ir::RegionId prologue = builder_.NewRegion();

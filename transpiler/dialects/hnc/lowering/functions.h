@@ -15,7 +15,6 @@ class Intervals;
 class Jumps;
 class LivePath;
 class Locals;
-class Loops;
 class Memory;
 class CellPlaces;
 class Records;
@@ -30,7 +29,7 @@ enum class Scope : uint8_t { kAll, kReached };
 class Functions : Context {
  public:
   Functions(Scope scope, const Context& context, Memory& memory, CellPlaces& places, Locals& locals, Jumps& jumps,
-            LivePath& path, Intervals& intervals, StatementWriter& writer, Records& records, Loops& loops, Gotos& gotos,
+            LivePath& path, Intervals& intervals, StatementWriter& writer, Records& records, Gotos& gotos,
             Switches& switches, Returns& returns, Statements& statements)
       : Context(context),
         scope_(scope),
@@ -42,7 +41,6 @@ class Functions : Context {
         intervals_(intervals),
         writer_(writer),
         records_(records),
-        loops_(loops),
         gotos_(gotos),
         switches_(switches),
         returns_(returns),
@@ -69,7 +67,6 @@ class Functions : Context {
   Intervals& intervals_;
   StatementWriter& writer_;
   Records& records_;
-  Loops& loops_;
   Gotos& gotos_;
   Switches& switches_;
   Returns& returns_;

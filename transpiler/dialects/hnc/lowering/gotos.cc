@@ -69,7 +69,7 @@ void Gotos::PrepareBackJump(const Statement& label, const std::vector<StatementI
     rounds = proved.value_or(0);
   }
   if (rounds != 0) loops_.CheckRounds(jump.keyword, rounds);
-  for (size_t i = again.first; i <= again.last && i < jumps_.statements().size(); ++i) {
+  for (size_t i = again.first; i <= again.last; ++i) {
     ForEachOwnExpr(unit_, unit_.statements[jumps_.statements()[i]], [&](ExprId expr) {
       ForEachExpr(unit_, expr, [&](ExprId part) { intervals_.ForgetWritesOf(part); });
     });

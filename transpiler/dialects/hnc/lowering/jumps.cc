@@ -48,7 +48,7 @@ Span Jumps::Repeated(LabelId label, const std::vector<StatementId>& jumps) const
   Span span{OrderOf(unit_.labels[label].statement), 0};
   const auto grow = [&](StatementId to) { span.last = std::max(span.last, OrderOf(to)); };
   for (const StatementId jump : jumps) grow(jump);
-  for (size_t i = span.first; i <= span.last && i < statements_.size(); ++i) {
+  for (size_t i = span.first; i <= span.last; ++i) {
     const StatementId id = statements_[i];
     const Statement& statement = unit_.statements[id];
     if (IsLoop(statement.kind)) ForEachStatement(unit_, id, grow);
@@ -61,7 +61,7 @@ Span Jumps::Repeated(LabelId label, const std::vector<StatementId>& jumps) const
 }
 
 bool Jumps::IsEnteredElsewhere(const Span& span) const {
-  for (size_t i = span.first + size_t{1}; i <= span.last && i < statements_.size(); ++i) {
+  for (size_t i = span.first + size_t{1}; i <= span.last; ++i) {
     const StatementId id = statements_[i];
     const StatementKind kind = unit_.statements[id].kind;
     if (IsCase(kind)) {

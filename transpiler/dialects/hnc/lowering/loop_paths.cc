@@ -153,7 +153,7 @@ bool LoopPaths::IsPassedBy(StatementId place, const LoopShape& loop) const {
   const std::vector<StatementId>& statements = jumps_.statements();
   const uint32_t middle = jumps_.OrderOf(place);
   // To the label itself only the jump back leads, and what enters the loop.
-  for (size_t i = loop.region.first + size_t{1}; i <= loop.region.last && i < statements.size(); ++i) {
+  for (size_t i = loop.region.first + size_t{1}; i <= loop.region.last; ++i) {
     if (unit_.statements[statements[i]].kind != StatementKind::kLabel) continue;
     for (const StatementId jump : jumps_.JumpsTo(statements[i])) {
       const uint32_t from = jumps_.OrderOf(jump);

@@ -33,7 +33,6 @@ class Loops : Context {
 
   void CheckRounds(source::Range keyword, uint64_t rounds);
   void Lower(const Statement& statement);
-  void BeginFunction() { rounds_around_ = 1; }
   /// Where what is executed in each iteration of the loops around begins.
   const std::vector<ir::RegionId>& iterated() const { return iterated_; }
 

@@ -104,8 +104,8 @@ class Lowering {
   Returns returns_{context_, path_, conversions_, pointers_, records_, addresses_, expressions_};
   Statements statements_{context_, critical_, jumps_,    path_,         writer_,   expressions_,
                          loops_,   gotos_,    switches_, initialisers_, branches_, returns_};
-  Functions functions_{scope_,  context_, memory_, places_, locals_,   jumps_,   path_,      intervals_,
-                       writer_, records_, loops_,  gotos_,  switches_, returns_, statements_};
+  Functions functions_{scope_,     context_, memory_,  places_, locals_,   jumps_,   path_,
+                       intervals_, writer_,  records_, gotos_,  switches_, returns_, statements_};
   ReferenceWriter reference_{context_, host_calls_,      critical_, faults_,
                              memory_,  system_routines_, handlers_, schedule_};
 };
