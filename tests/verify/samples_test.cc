@@ -92,6 +92,23 @@ TEST(VerifyCommand, CertificateSaysWhatWasProved) {
   EXPECT_THAT(json["compiler"]["version"].get<std::string>(), HasSubstr("clang version 19"));
 }
 
+/// A page is tried until nothing changes: whatever is guessed of that, the reason names the page.
+TEST(VerifyCommand, SaysWhoseLoopIsNotProved) {
+  const Workplace workplace;
+  const std::string none = ",-1,-1,-1,-1,-1,-1,-1,-1,-1";
+  workplace.Write("page.clp",
+                  "_FILES_CLASSICLADDER\n_FILE-sections.csv\n000,1,-1,0,0,0\n_/FILE-sections.csv\n"
+                  "_FILE-sequential.csv\n#VER=1.0\nS0,1,1,0,1,1\nS1,0,2,0,1,3\nT0,1" +
+                      none + ",0" + none + none + none +
+                      ",-1,-1,0,1,2\nC0,0,50/0\n_/FILE-sequential.csv\n_/FILES_CLASSICLADDER\n");
+  const Ran ran = workplace.Run("verify page.clp --routine fast --time 100ms --certificate page.json");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("  fast: not decided: "));
+  EXPECT_THAT(ran.errors, HasSubstr("\n    the loop belongs to page.clp:3:1: page 0\n"));
+  const auto json = nlohmann::json::parse(workplace.Read("page.json"));
+  EXPECT_EQ(json["routines"][0]["loop_of"], "page.clp:3:1: page 0") << json["routines"][0];
+}
+
 TEST(VerifyCommand, SaysWhatItNeeds) {
   const Workplace workplace;
   workplace.Write("turret.plc", "U4A0=I0A0\n");

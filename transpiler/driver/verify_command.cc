@@ -29,6 +29,7 @@
 #include "transpiler/prove/verify/verify.h"
 #include "transpiler/review/verify/certificate.h"
 #include "transpiler/review/verify/facts.h"
+#include "transpiler/scenarios/failure.h"
 #include "transpiler/source/read_bytes.h"
 #include "transpiler/support/counted.h"
 #include "transpiler/support/hex.h"
@@ -88,7 +89,14 @@ std::string DifferenceText(const prove::verify::CodeDifference& difference) {
   return text + "\n";
 }
 
-std::string ProofText(const prove::verify::RoutineProof& proof) {
+/// The statement of the loop that the reason is about.
+std::string LoopText(const prove::verify::RoutineProof& proof, const compilation::Compilation& compilation) {
+  if (!proof.statement.valid()) return {};
+  return "    the loop belongs to " +
+         scenarios::StatementPlace(proof.statement, compilation.program, *compilation.sources) + "\n";
+}
+
+std::string ProofText(const prove::verify::RoutineProof& proof, const compilation::Compilation& compilation) {
   std::string text = "  " + proof.routine + ": ";
   switch (proof.result) {
     case prove::verify::ProofResult::kProved:
@@ -99,7 +107,7 @@ std::string ProofText(const prove::verify::RoutineProof& proof) {
       if (!proof.relies_on.empty()) text += "; with " + support::Counted(proof.relies_on.size(), "proved function");
       return text + ")\n";
     case prove::verify::ProofResult::kNotDecided:
-      text += "not decided: " + proof.reason + "\n";
+      text += "not decided: " + proof.reason + "\n" + LoopText(proof, compilation);
       for (const prove::verify::CodeDifference& difference : proof.differences) text += DifferenceText(difference);
       return text;
     case prove::verify::ProofResult::kDifferent:
@@ -110,7 +118,8 @@ std::string ProofText(const prove::verify::RoutineProof& proof) {
   return text;
 }
 
-std::string FrontEndText(const prove::verify::front_end::FunctionProof& function) {
+std::string FrontEndText(const prove::verify::front_end::FunctionProof& function,
+                         const compilation::Compilation& compilation) {
   std::string text = "  " + function.proof.routine + ", front end: ";
   if (!function.not_compared.empty()) return text + "not compared: " + function.not_compared + "\n";
   switch (function.proof.result) {
@@ -121,7 +130,7 @@ std::string FrontEndText(const prove::verify::front_end::FunctionProof& function
         text += (caller == function.in_callers.front() ? "" : ", ") + caller;
       return text + "\n";
     case prove::verify::ProofResult::kNotDecided:
-      return text + "not decided: " + function.proof.reason + "\n";
+      return text + "not decided: " + function.proof.reason + "\n" + LoopText(function.proof, compilation);
     case prove::verify::ProofResult::kDifferent:
       break;
   }
@@ -257,13 +266,13 @@ bool Verification::CompareFrontEnd(const emit::Emittable& emittable, const prove
   prove::verify::VerifyLimits saying = limits;
   saying.is_decided = [&](const prove::verify::RoutineProof& proof) {
     said.insert(proof.routine);
-    Say(FrontEndText({.proof = proof, .not_compared = {}, .in_callers = {}}));
+    Say(FrontEndText({.proof = proof, .not_compared = {}, .in_callers = {}}, compilation_));
   };
   front_end_ = prove::verify::front_end::Compare(emittable, reference(request), saying);
   if (!front_end_->reason.empty()) Say("  front end: not compared: " + front_end_->reason + "\n");
   bool same = true;
   for (const prove::verify::front_end::FunctionProof& function : front_end_->functions) {
-    if (!said.contains(function.proof.routine)) Say(FrontEndText(function));
+    if (!said.contains(function.proof.routine)) Say(FrontEndText(function, compilation_));
     same = same && function.proof.result != prove::verify::ProofResult::kDifferent;
   }
   return same;
@@ -339,10 +348,10 @@ bool Verification::Run() {
     const bool proved = proof.result == prove::verify::ProofResult::kProved;
     // A function that only others call matters where it is why these are not proved.
     if (proof.exported) {
-      Say(ProofText(proof));
+      Say(ProofText(proof, compilation_));
       all = all && proved;
     } else if (!proved) {
-      causes += ProofText(proof);
+      causes += ProofText(proof, compilation_);
     }
   };
   proofs_ = prove::verify::Verify(emittable, *code, routines_, saying);

@@ -19,4 +19,8 @@ struct Item {
 
 std::vector<Item> Items(const Program& program, RegionId region);
 
+/// The statement that a loop belongs to: of a jump back the first one that it repeats, else the one that the loop is a
+/// part of; none in code of the control.
+StatementId StatementOfLoop(const Program& program, InstId loop);
+
 }  // namespace plcxx::ir

@@ -61,11 +61,15 @@ uint32_t LoopRelation::Dropped(const std::string& key) const {
   return at == dropped_.end() ? 0 : at->second;
 }
 
-void LoopRelation::Claim(std::string what, std::string guess, Blame blame, terms::TermId given, terms::TermId a,
-                         terms::TermId b) {
-  if (a != b)
-    claims_.push_back(
-        {.what = std::move(what), .guess = std::move(guess), .blame = blame, .given = given, .pair = {a, b}});
+void LoopRelation::Claim(const OfProgram& loop, std::string what, std::string guess, Blame blame, terms::TermId given,
+                         terms::TermId a, terms::TermId b) {
+  if (a == b) return;
+  claims_.push_back({.loop = loop.known.loop,
+                     .what = std::move(what),
+                     .guess = std::move(guess),
+                     .blame = blame,
+                     .given = given,
+                     .pair = {a, b}});
 }
 
 void LoopRelation::AddWord(OfProgram& loop, std::string name, std::vector<size_t> cells) {
@@ -216,7 +220,7 @@ void LoopRelation::ClaimWords(const OfProgram& loop, const std::string& where, B
   for (size_t i = 0; i < loop.words.size(); ++i) {
     const WordGuess& guess = loop.guesses[i];
     if (guess.of != WordGuess::Of::kNothing)
-      Claim(where + loop.words[i].name, guess.key, blame, given, words[i], Apply(guess, words[i], others));
+      Claim(loop, where + loop.words[i].name, guess.key, blame, given, words[i], Apply(guess, words[i], others));
   }
 }
 
@@ -289,9 +293,9 @@ terms::TermId LoopRelation::ClaimFacts(const OfProgram& loop, size_t number) {
     // The key says nothing to a reader: it is a hash of the fact.
     const std::string what = LoopName(number) + ": what holds at the beginning of each round (" +
                              std::to_string(i + 1) + " of " + std::to_string(facts.size()) + ")";
-    Claim(what + ", at its entry", keys[i], Blame::kAtEntry, enters, Substitute(terms_, facts[i], entry),
+    Claim(loop, what + ", at its entry", keys[i], Blame::kAtEntry, enters, Substitute(terms_, facts[i], entry),
           terms_.Bit(true));
-    Claim(what, keys[i], Blame::kFactOrFixed, goes_on, Substitute(terms_, facts[i], next), terms_.Bit(true));
+    Claim(loop, what, keys[i], Blame::kFactOrFixed, goes_on, Substitute(terms_, facts[i], next), terms_.Bit(true));
     all = terms_.And(all, facts[i]);
   }
   return all;
@@ -479,7 +483,7 @@ std::vector<terms::TermId> LoopRelation::AtHeadInCode(const CodeLoop& code) {
   }
   Choose(loop, code, open);
   const terms::TermId given = terms_.And(terms_.And(open.given_before, loop.given_before), open.when);
-  Claim(open.name + ": is reached", "", {}, given, loop.head.when, terms_.Bit(true));
+  Claim(loop, open.name + ": is reached", "", {}, given, loop.head.when, terms_.Bit(true));
   const std::vector<terms::TermId> before = WordsAt(loop, loop.known.entry), inside = WordsAt(loop, loop.head);
   std::vector<terms::TermId> values;
   for (size_t i = 0; i < code.items.size(); ++i) {
@@ -489,7 +493,7 @@ std::vector<terms::TermId> LoopRelation::AtHeadInCode(const CodeLoop& code) {
                                        terms_.Width(entry)));
       continue;
     }
-    Claim(open.name + ", at its entry: " + open.items[i], open.keys[i], Blame::kAtEntry, given,
+    Claim(loop, open.name + ", at its entry: " + open.items[i], open.keys[i], Blame::kAtEntry, given,
           open.guesses[i](terms_, before), entry);
     values.push_back(open.guesses[i](terms_, inside));
   }
@@ -503,13 +507,13 @@ void LoopRelation::CloseInCode(terms::TermId again, std::span<const terms::TermI
   const OfProgram& loop = *loops_[open.number];
   const terms::TermId reached = terms_.And(open.when, loop.head.when);
   const terms::TermId given = terms_.And(terms_.And(given_in_code_, loop.given_inside), reached);
-  Claim(open.name + ": whether it goes round again", "", {}, given, loop.again, again);
+  Claim(loop, open.name + ": whether it goes round again", "", {}, given, loop.again, again);
   const terms::TermId goes_on = terms_.And(given, loop.again);
   const std::vector<terms::TermId> next = WordsAt(loop, loop.next);
   for (size_t i = 0; i < values.size(); ++i) {
     if (open.guesses[i])
-      Claim(open.name + ": " + open.items[i], open.keys[i], open.blames[i], goes_on, open.guesses[i](terms_, next),
-            values[i]);
+      Claim(loop, open.name + ": " + open.items[i], open.keys[i], open.blames[i], goes_on,
+            open.guesses[i](terms_, next), values[i]);
   }
   const terms::TermId ended =
       terms_.And(Implies(open.when, terms_.Not(again)), Implies(loop.head.when, terms_.Not(loop.again)));

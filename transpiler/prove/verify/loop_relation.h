@@ -62,6 +62,7 @@ enum class Blame : uint8_t {
 };
 
 struct LoopClaim {
+  ir::InstId loop;      // the program's, of which it is
   std::string what;     // "loop 1, for.body: DB24"
   std::string guess;    // of which it is; empty: of none, it must hold
   Blame blame{};        // of the guess
@@ -173,7 +174,8 @@ class LoopRelation : public execute::LoopHeads {
   void Choose(const OfProgram& loop, const CodeLoop& code, OfCode& open);
   uint32_t Dropped(const std::string& key) const;
   std::string NameOf(const CodeLoop::Item& item) const;
-  void Claim(std::string what, std::string guess, Blame blame, terms::TermId given, terms::TermId a, terms::TermId b);
+  void Claim(const OfProgram& loop, std::string what, std::string guess, Blame blame, terms::TermId given,
+             terms::TermId a, terms::TermId b);
 
   terms::Terms& terms_;
   const emit::Emittable& emittable_;

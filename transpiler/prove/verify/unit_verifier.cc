@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "transpiler/ir/items.h"
 #include "transpiler/prove/verify/local_sweep.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 #include "transpiler/symbolic/solver/model.h"
@@ -365,23 +366,29 @@ bool UnitVerifier::DecideLoops(solver::Solver& solver) {
   proof_.claims = questions.size();
   const std::vector<solver::Verdict> verdicts = Compare(solver, questions);
   Blame least = Blame::kMemory;
+  const LoopClaim* refuted = nullptr;  // the first of refuted_
   for (size_t i = 0; i < verdicts.size(); ++i) {
     if (verdicts[i] == solver::Verdict::kEqual) continue;
-    if (!questions[i].guess.empty()) {
-      const Blame blame = relation_->claims()[i].blame;
-      if (blame < least) refuted_.clear();
-      least = std::min(least, blame);
-      if (blame == least && std::ranges::find(refuted_, questions[i].guess) == refuted_.end())
-        refuted_.push_back(questions[i].guess);
+    const LoopClaim& claim = relation_->claims()[i];
+    if (!claim.guess.empty()) {
+      if (claim.blame < least) refuted_.clear();
+      least = std::min(least, claim.blame);
+      if (refuted_.empty()) refuted = &claim;
+      if (claim.blame == least && std::ranges::find(refuted_, claim.guess) == refuted_.end())
+        refuted_.push_back(claim.guess);
     } else if (proof_.reason.empty()) {
-      proof_.reason =
-          verdicts[i] == solver::Verdict::kDifferent ? questions[i].what : "not within the time: " + questions[i].what;
+      SayOfLoop(verdicts[i] == solver::Verdict::kDifferent ? claim.what : "not within the time: " + claim.what, claim);
       if (verdicts[i] == solver::Verdict::kDifferent) proof_.differences.push_back(Show(solver, questions[i]));
     }
   }
-  if (!refuted_.empty() && proof_.reason.empty())
-    proof_.reason = "what its loops keep is not found: " + refuted_.front();
+  if (refuted != nullptr && proof_.reason.empty())
+    SayOfLoop("what its loops keep is not found: " + refuted->what, *refuted);
   return refuted_.empty() && proof_.reason.empty();
+}
+
+void UnitVerifier::SayOfLoop(std::string reason, const LoopClaim& claim) {
+  proof_.reason = std::move(reason);
+  proof_.statement = ir::StatementOfLoop(program_.ir, claim.loop);
 }
 
 void UnitVerifier::Decide(solver::Solver& solver) {

@@ -87,6 +87,8 @@ class UnitVerifier {
   std::vector<solver::Verdict> Compare(solver::Solver& solver, std::span<const Question> questions);
   /// Whether what is claimed of loops is so.
   bool DecideLoops(solver::Solver& solver);
+  /// Why the unit is not decided, and of which statement the claim's loop is.
+  void SayOfLoop(std::string reason, const LoopClaim& claim);
   void Decide(solver::Solver& solver);
   /// Numbers for which the two differ, evaluated; without values: none were found.
   CodeDifference Show(solver::Solver& solver, const Question& question);

@@ -24,6 +24,7 @@ void Add(RoutineProof& all, RoutineProof one) {
   if (weight(one.result) > weight(all.result)) {
     all.result = one.result;
     all.reason = std::move(one.reason);
+    all.statement = one.statement;
     all.differences = std::move(one.differences);
   }
   all.obligations += one.obligations;

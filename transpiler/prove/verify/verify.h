@@ -44,6 +44,7 @@ struct RoutineProof {
   bool exported = true;  // the generated header declares it; others are steps on the way
   ProofResult result = ProofResult::kNotDecided;
   std::string reason;                       // of kNotDecided
+  ir::StatementId statement;                // whose loop the reason is about; none: it is about no loop
   uint64_t bytes = 0;                       // of State, compared
   uint64_t host_functions = 0;              // whose calls were compared
   uint64_t obligations = 0;                 // shown to be impossible

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "transpiler/compile/runtime_files.h"
+#include "transpiler/scenarios/failure.h"
 #include "transpiler/support/sha256.h"
 
 namespace plcxx::review::verify {
@@ -43,9 +44,19 @@ Json DifferenceJson(const prove::verify::CodeDifference& difference) {
   return json;
 }
 
-Json RoutineJson(const prove::verify::RoutineProof& proof) {
+/// "main.cld:7:9: a[i] = 0;" without the folder of the file.
+std::string WithoutFolder(const std::string& place) {
+  const size_t slash = place.rfind('/', place.find(':'));
+  return slash == std::string::npos ? place : place.substr(slash + 1);
+}
+
+Json RoutineJson(const prove::verify::RoutineProof& proof, const compilation::Compilation& compilation) {
   Json json = {{"routine", proof.routine}, {"result", Name(proof.result)}};
   if (!proof.reason.empty()) json["reason"] = proof.reason;
+  if (proof.statement.valid()) {
+    json["loop_of"] =
+        WithoutFolder(scenarios::StatementPlace(proof.statement, compilation.program, *compilation.sources));
+  }
   json["state_bytes"] = proof.bytes;
   json["host_functions"] = proof.host_functions;
   json["obligations"] = proof.obligations;
@@ -55,12 +66,6 @@ Json RoutineJson(const prove::verify::RoutineProof& proof) {
   for (const prove::verify::CodeDifference& difference : proof.differences)
     json["differences"].push_back(DifferenceJson(difference));
   return json;
-}
-
-/// "main.cld:7:9: a[i] = 0;" without the folder of the file.
-std::string WithoutFolder(const std::string& place) {
-  const size_t slash = place.rfind('/', place.find(':'));
-  return slash == std::string::npos ? place : place.substr(slash + 1);
 }
 
 /// How many of each kind are proved, and each one that is not.
@@ -93,7 +98,7 @@ Json FactsJson(const FactsReport& facts) {
   return json;
 }
 
-Json FrontEndJson(const prove::verify::front_end::Comparison& comparison) {
+Json FrontEndJson(const prove::verify::front_end::Comparison& comparison, const compilation::Compilation& compilation) {
   Json json = {{"compiler", comparison.compiler}};
   if (!comparison.reason.empty()) json["not_compared"] = comparison.reason;
   json["assumed"] = {"executions that come to a run-time fault are not compared: C leaves them open",
@@ -101,7 +106,7 @@ Json FrontEndJson(const prove::verify::front_end::Comparison& comparison) {
   json["functions"] = Json::array();
   for (const prove::verify::front_end::FunctionProof& function : comparison.functions) {
     if (function.not_compared.empty()) {
-      json["functions"].push_back(RoutineJson(function.proof));
+      json["functions"].push_back(RoutineJson(function.proof, compilation));
       // Of its calls alone, in the proofs of these.
       if (!function.in_callers.empty()) json["functions"].back()["in_callers"] = function.in_callers;
       continue;
@@ -144,13 +149,13 @@ std::string CertificateText(const Certificate& certificate) {
   bool all = true;
   json["routines"] = Json::array();
   for (const prove::verify::RoutineProof& proof : *certificate.proofs) {
-    json[proof.exported ? "routines" : "functions"].push_back(RoutineJson(proof));
+    json[proof.exported ? "routines" : "functions"].push_back(RoutineJson(proof, compilation));
     if (proof.exported) all = all && proof.result == prove::verify::ProofResult::kProved;
   }
   json["facts"] = FactsJson(*certificate.facts);
   all = all && certificate.facts->all_proved();
   if (!certificate.left_out.empty()) json["left_out"] = certificate.left_out;
-  if (certificate.front_end != nullptr) json["front_end"] = FrontEndJson(*certificate.front_end);
+  if (certificate.front_end != nullptr) json["front_end"] = FrontEndJson(*certificate.front_end, compilation);
   json["proved"] = all && certificate.left_out.empty();
   return json.dump(2) + "\n";
 }

@@ -254,7 +254,7 @@ void Executor::ExecuteByHead(ir::InstId id, const ir::Loop& loop) {
     std::ranges::sort(cells);
     more.clear();
     flow_ = before;
-    ProgramLoop known{.cells = cells, .bound = loop.kind == ir::LoopBound::kBudget ? 0 : loop.bound};
+    ProgramLoop known{.loop = id, .cells = cells, .bound = loop.kind == ir::LoopBound::kBudget ? 0 : loop.bound};
     for (uint32_t i = 1; i < samples.size(); ++i) {
       ProgramLoop::Head head{.when = samples[i].when, .values = {}, .round = terms_.Const(i, kRoundWidth)};
       for (const CellId cell : cells) head.values.push_back(samples[i].cells[cell.index]);

@@ -18,6 +18,7 @@ namespace plcxx::execute {
 
 /// A loop as the execution came to its head.
 struct ProgramLoop {
+  ir::InstId loop;
   std::vector<CellId> cells;  // that a round may write, ascending
   struct Head {
     terms::TermId when;                 // execution comes here
