@@ -8,17 +8,23 @@ namespace {
 
 constexpr uint32_t kNowhere = 0xFFFFFFFF;
 
-/// Where Engine::Snapshot has each cell: host-visible spaces in order, then all fields of all instances.
+/// Memory from period to period that no engine shows but the simulator: how a program does something, as the steps of a
+/// sequential page.
+bool IsHiddenState(const ir::Space& space) { return !space.host_visible && space.lifetime != ir::Lifetime::kRoutine; }
+
+/// Where the picture has each cell: as in Engine::Snapshot host-visible spaces in order, then all fields of all
+/// instances; then hidden memory.
 std::vector<uint32_t> MakeBytesOf(const prove::machine::Version& version) {
   const ir::Program& program = *version.program;
   std::vector<uint32_t> bytes(version.cells.count, kNowhere);
   uint32_t at = 0;
-  for (uint32_t i = 0; i < program.spaces.size(); ++i) {
-    const ir::Space& space = program.spaces[ir::SpaceId(i)];
-    if (!space.host_visible) continue;
-    for (uint32_t offset = 0; offset < space.bytes; ++offset, ++at) {
-      for (uint8_t bit = 0; bit < 8; ++bit) bytes[version.cells.OfBit(ir::SpaceId(i), offset, bit).index] = at;
+  const auto add_space = [&](ir::SpaceId id) {
+    for (uint32_t offset = 0; offset < program.spaces[id].bytes; ++offset, ++at) {
+      for (uint8_t bit = 0; bit < 8; ++bit) bytes[version.cells.OfBit(id, offset, bit).index] = at;
     }
+  };
+  for (uint32_t i = 0; i < program.spaces.size(); ++i) {
+    if (program.spaces[ir::SpaceId(i)].host_visible) add_space(ir::SpaceId(i));
   }
   for (uint32_t i = 0; i < program.states.size(); ++i) {
     uint32_t cell = version.cells.states[i];
@@ -28,6 +34,9 @@ std::vector<uint32_t> MakeBytesOf(const prove::machine::Version& version) {
         at += ir::Bytes(field.type);
       }
     }
+  }
+  for (uint32_t i = 0; i < program.spaces.size(); ++i) {
+    if (IsHiddenState(program.spaces[ir::SpaceId(i)])) add_space(ir::SpaceId(i));
   }
   return bytes;
 }
@@ -124,6 +133,12 @@ void DiffMachine::Restore(const Saved& saved) {
 
 void DiffMachine::Look() {
   picture_ = simulator_.Snapshot();
+  for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
+    const ir::SpaceId id(i);
+    if (!IsHiddenState(program_.spaces[id])) continue;
+    const std::span<const uint8_t> bytes = simulator_.Memory(id);
+    picture_.insert(picture_.end(), bytes.begin(), bytes.end());
+  }
   events_ = simulator_.TakeEvents();
   for (const sim::HostEvent& event : events_) {
     const auto add = [](uint64_t& hash, uint64_t value) { hash = (hash ^ value) * 0x9E3779B97F4A7C15; };

@@ -99,7 +99,8 @@ std::string StepsInWords(std::string_view& fields) {
   return words.empty() ? "nothing" : words;
 }
 
-/// "T1,3,-1,...,1,2,-1..." as "T1: S1, S2 -> S3", "C1,0,50/1" as "C1: %I1"; else nothing.
+/// "S1,1,2,0,1,3" as "S1: %X2, initial", "T1,3,-1,...,1,2,-1..." as "T1: S1, S2 -> S3", "C1,0,50/1" as "C1: %I1"; else
+/// nothing.
 std::string SequentialInWords(std::string_view line) {
   std::string_view fields = line;
   const std::string name(TakeUntil(fields, ','));
@@ -107,6 +108,10 @@ std::string SequentialInWords(std::string_view line) {
   if (name.front() == 'C') {
     TakeUntil(fields, ',');
     return name + ": " + VariableText(Trimmed(fields));
+  }
+  if (name.front() == 'S') {
+    const bool is_initial = Number(Trimmed(TakeUntil(fields, ','))).value_or(0) != 0;
+    return name + ": %X" + std::string(Trimmed(TakeUntil(fields, ','))) + (is_initial ? ", initial" : "");
   }
   if (name.front() != 'T') return {};
   const std::string begins = StepsInWords(fields);

@@ -16,7 +16,8 @@ namespace {
 
 using Ranges = std::vector<source::Range>;
 
-constexpr size_t kSectionFields = 6, kPageAt = 5, kTransitionFields = 44, kTransitionPageAt = 41;
+constexpr size_t kSectionFields = 6, kPageAt = 5;
+constexpr size_t kStepFields = 6, kStepPageAt = 3, kTransitionFields = 44, kTransitionPageAt = 41;
 
 std::optional<uint32_t> NumberAt(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -39,20 +40,33 @@ std::vector<std::string_view> FieldsOf(std::string_view line) {
 /// The lines of one project, by what refers to them.
 struct Project {
   std::map<std::pair<PartKind, uint32_t>, source::Range> numbered;  // expressions and presets
-  std::map<uint32_t, Ranges> transitions;                           // by page
+  std::map<uint32_t, Ranges> steps, transitions;                    // by page
   std::map<uint32_t, source::Range> conditions;                     // by transition
 };
 
-void AddSequential(const Line& line, Project& project, std::map<uint32_t, uint32_t>& pages) {
+/// Where a step or transition is drawn, its last two fields, is not what it does.
+source::Range WithoutCoordinates(const Line& line) {
+  source::Range range = line.range;
+  size_t end = line.text.size();
+  for (int i = 0; i < 2; ++i) end = line.text.rfind(',', end - 1);
+  range.end = range.begin + static_cast<uint32_t>(end);
+  return range;
+}
+
+void AddSequential(const Line& line, Project& project, std::map<uint32_t, uint32_t>& transition_at) {
   const std::vector<std::string_view> fields = FieldsOf(line.text.substr(1));
   const auto number = NumberAt(fields.front());
   if (!number) return;
-  if (line.text.front() == 'C') project.conditions[*number] = line.range;
-  if (line.text.front() != 'T' || fields.size() < kTransitionFields) return;
+  const char letter = line.text.front();
+  if (letter == 'C') project.conditions[*number] = line.range;
+  if (letter == 'S' && fields.size() >= kStepFields) {
+    if (const auto page = NumberAt(fields[kStepPageAt])) project.steps[*page].push_back(WithoutCoordinates(line));
+  }
+  if (letter != 'T' || fields.size() < kTransitionFields) return;
   const auto page = NumberAt(fields[kTransitionPageAt]);
   if (!page) return;
-  project.transitions[*page].push_back(line.range);
-  pages[line.range.begin] = *number;
+  project.transitions[*page].push_back(WithoutCoordinates(line));
+  transition_at[line.range.begin] = *number;
 }
 
 Project ProjectOf(const source::SourceManager& sources, source::FileId file) {
@@ -157,8 +171,11 @@ Ranges LinesOf(const Project& project, std::string_view statement) {
   const std::vector<std::string_view> fields = FieldsOf(statement);
   if (fields.size() == kSectionFields && !SplitElement(fields.front())) {
     const auto page = NumberAt(fields[kPageAt]);
-    const auto found = page ? project.transitions.find(*page) : project.transitions.end();
-    return found == project.transitions.end() ? lines : found->second;
+    for (const auto* const of_pages : {&project.steps, &project.transitions}) {
+      const auto found = page ? of_pages->find(*page) : of_pages->end();
+      if (found != of_pages->end()) lines.insert(lines.end(), found->second.begin(), found->second.end());
+    }
+    return lines;
   }
   while (!statement.empty()) {
     const size_t end = std::min(statement.find('\n'), statement.size());

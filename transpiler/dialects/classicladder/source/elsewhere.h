@@ -1,5 +1,5 @@
 // What a statement says in other lines of its project: the expressions of a rung's boxes, the presets of its timers and
-// counters, the transitions of a sequential page.
+// counters, the steps and transitions of a sequential page.
 //
 // In: the ranges of statements. Out: for each the lines that it refers to. Not its job: what they mean (parser).
 #pragma once
@@ -11,7 +11,8 @@
 
 namespace plcxx::classicladder {
 
-/// By index of `statements`: whole lines, in the order in which the statement refers to them.
+/// By index of `statements`: lines, of steps and transitions but for where they are drawn, in the order in which the
+/// statement refers to them.
 std::vector<std::vector<source::Range>> LinesElsewhere(const source::SourceManager& sources,
                                                        std::span<const source::Range> statements);
 
