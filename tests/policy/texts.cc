@@ -104,4 +104,37 @@ Findings CheckNamedFiles(const std::string& root) {
   return findings;
 }
 
+Findings CheckShownFiles(const std::string& root) {
+  const std::regex shown("^```[^`]* file=(\\S+)");
+  Findings findings;
+  size_t found = 0;
+  for (const std::string& file : FilesBelow(root, "", {".md"})) {
+    if (file != "README.md" && !file.starts_with("docs/")) continue;
+    std::string paragraph;  // the last one that ended
+    bool inside = false, ended = true;
+    size_t number = 0;
+    for (const std::string& line : Lines(ReadFile(root + "/" + file))) {
+      ++number;
+      if (line.starts_with("```")) {
+        std::smatch match;
+        if (!inside && std::regex_search(line, match, shown)) {
+          ++found;
+          if (paragraph.find(match[1].str()) == std::string::npos)
+            findings.push_back(Place(file, number) + "nothing above says that this is '" + match[1].str() + "'");
+        }
+        inside = !inside;
+        paragraph.clear();
+        ended = true;
+      } else if (!inside && line.empty()) {
+        ended = true;
+      } else if (!inside) {
+        paragraph = ended ? line : paragraph + "\n" + line;
+        ended = false;
+      }
+    }
+  }
+  if (found == 0) findings.push_back("no document shows a file");
+  return findings;
+}
+
 }  // namespace plcxx::policy

@@ -30,6 +30,18 @@ TEST(NamedFiles, ARuleWithoutDocumentsFails) {
   EXPECT_THAT(CheckNamedFiles(Fixture("generated")), ElementsAre("no document names a file"));
 }
 
+// The name of a file that the reader is to write is read where the page is read.
+TEST(ShownFiles, HaveTheirNameAboveThem) { EXPECT_THAT(CheckShownFiles(Root()), IsEmpty()); }
+
+TEST(ShownFiles, FixtureHasOneWithout) {
+  EXPECT_THAT(CheckShownFiles(Fixture("shown_files")),
+              ElementsAre(HasSubstr("docs/page.md:13: nothing above says that this is 'b.plc'")));
+}
+
+TEST(ShownFiles, ARuleWithoutDocumentsFails) {
+  EXPECT_THAT(CheckShownFiles(Fixture("generated")), ElementsAre("no document shows a file"));
+}
+
 TEST(Private, NothingOfAMachineOrAPerson) { EXPECT_THAT(CheckPrivate(Root()), IsEmpty()); }
 
 TEST(Private, FixtureDoes) {
