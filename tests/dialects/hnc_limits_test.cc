@@ -35,6 +35,7 @@ TEST(HncLimits, StaticAndAutomaticDataAreCountedTogetherTheHeadersAreNot) {
   EXPECT_THAT(data(20000, 30000, 10001), ElementsAre("3 E056"));
   EXPECT_THAT(data(20001, 20000, 20000), ElementsAre("2 E056"));
   EXPECT_THAT(data(20000, 20001, 20000), ElementsAre("3 E056"));
+  EXPECT_THAT(data(30001, 30001, 10), ElementsAre("2 E056"));  // the first one of two
 }
 
 // covers: HNC-260

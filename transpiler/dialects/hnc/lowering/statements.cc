@@ -113,7 +113,6 @@ void Statements::LowerBody(const std::vector<StatementId>& body, Tail tail) {
 void Statements::Compound(const Statement& statement, Tail tail) {
   const auto for_each_own = [&](auto visit) {
     for (const StatementId part : statement.body) {
-      if (unit_.statements[part].kind != StatementKind::kDeclaration) continue;
       for (const VariableId id : unit_.statements[part].variables) {
         if (frame_.block_locals.contains(id.index)) visit(id);
       }

@@ -89,7 +89,6 @@ void Switches::Lower(const Statement& statement) {
   if (!arms.cases.empty()) builder_.SwitchOn(selector.id, std::move(arms));
   std::vector<Flow> ends = path_.Leave();
   if (!has_default) ends.push_back(before);
-  flow_.reachable = false;
   for (const Flow& way : ends) flow_.JoinWith(way);
   path_.PlaceLabel(end);
 }
