@@ -28,6 +28,8 @@ PROMISES = [
      "loops", "tests/judges/avr", "avr"),
     ("classicladder computes what LinuxCNC's own engine computes", "the engine of LinuxCNC 2.9 runs random projects beside "
      "the simulator, scan by scan", "tests/judges/classicladder", "classicladder"),
+    ("a program in LinuxCNC's real-time thread does what its scenarios say", "LinuxCNC plays the lathe's scenarios period by period, "
+     "and changes five tools with it", "tests/host/linuxcnc.py", "linuxcnc"),
     ("every loop of hnc that is accepted ends, with the right value of its counter", "the matrix of types, relations, "
      "steps and limits against exact arithmetic", "tests/differential/loops", None),
     ("what is decided from ranges and bounds is so, in every language", "each decision states its fact; all scenarios "
