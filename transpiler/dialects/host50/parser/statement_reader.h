@@ -8,9 +8,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "transpiler/dialects/common/fault_reporter.h"
 #include "transpiler/dialects/host50/parser/parser.h"
 #include "transpiler/dialects/host50/source/lexer.h"
 
@@ -40,11 +40,11 @@ struct Parsing {
 char NarrowOf(char32_t point);
 
 /// What a part of the parser sees. Refers to the parsing.
-class StatementReader {
+class StatementReader : protected dialects::FaultReporter {
  public:
   explicit StatementReader(Parsing& parsing)
-      : sources_(parsing.sources),
-        diagnostics_(parsing.diagnostics),
+      : FaultReporter(parsing.diagnostics, parsing.now.failed, &parsing.program.faulty),
+        sources_(parsing.sources),
         program_(parsing.program),
         files_(parsing.files),
         now_(parsing.now) {}
@@ -71,19 +71,6 @@ class StatementReader {
   /// The comments above a row and its own, to the program.
   Span AddComments(std::vector<source::Range>& above, source::Range row);
 
-  template <class... Args>
-  diag::Diagnostic& Fault(source::Range range, const diag::Message<Args...>& message,
-                          std::type_identity_t<Args>... args) {
-    program_.faulty = true;
-    if (std::exchange(now_.failed, true)) return unreported_ = {};
-    return diagnostics_.Report(range, message, args...);
-  }
-  template <class... Args>
-  diag::Diagnostic& Report(source::Range range, const diag::Message<Args...>& message,
-                           std::type_identity_t<Args>... args) {
-    program_.faulty = true;
-    return diagnostics_.Report(range, message, args...);
-  }
   /// E111 when the cursor is at a bad token.
   bool FaultOfBadToken();
   /// E102: `what` is missing, or E111.
@@ -92,15 +79,12 @@ class StatementReader {
   void ExpectEnd();
 
   const source::SourceManager& sources_;
-  diag::Engine& diagnostics_;
   Program& program_;
   std::vector<LexedFile>& files_;
   Statement& now_;
 
  private:
   void FaultOfBadCharacter(const Token& token);
-
-  diag::Diagnostic unreported_;
 };
 
 }  // namespace plcxx::host50

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "transpiler/dialects/common/fault_reporter.h"
 #include "transpiler/dialects/nc110/parser/parser.h"
 #include "transpiler/dialects/nc110/source/lexer.h"
 
@@ -48,12 +49,12 @@ struct Parsing {
 std::string Quoted(std::string_view text);
 
 /// What a part of the parser sees. Refers to the parsing.
-class ItemReader {
+class ItemReader : protected dialects::FaultReporter {
  public:
   explicit ItemReader(Parsing& parsing)
-      : sources_(parsing.sources),
+      : FaultReporter(parsing.diagnostics, parsing.now.failed),
+        sources_(parsing.sources),
         options_(parsing.options),
-        diagnostics_(parsing.diagnostics),
         program_(parsing.program),
         now_(parsing.now) {}
 
@@ -83,20 +84,10 @@ class ItemReader {
   source::Range BehindPrevious() const;
 
   template <class... Args>
-  diag::Diagnostic& Fault(source::Range range, const diag::Message<Args...>& message,
-                          std::type_identity_t<Args>... args) {
-    if (std::exchange(now_.failed, true)) return unreported_ = {};
-    return diagnostics_.Report(range, message, args...);
-  }
-  template <class... Args>
   ExprId HardFault(source::Range range, const diag::Message<Args...>& message, std::type_identity_t<Args>... args) {
     Fault(range, message, args...);
     now_.panic = true;
     return ErrorExpr(range);
-  }
-  template <class... Args>
-  void Warn(source::Range range, const diag::Message<Args...>& message, std::type_identity_t<Args>... args) {
-    if (!now_.failed) diagnostics_.Report(range, message, args...);
   }
   ExprId Expected(std::string_view what);
   /// A keyword or operand that is used as such: W305 or, with strict case, error 1.
@@ -105,12 +96,8 @@ class ItemReader {
 
   const source::SourceManager& sources_;
   const ParseOptions& options_;
-  diag::Engine& diagnostics_;
   Program& program_;
   Reading& now_;
-
- private:
-  diag::Diagnostic unreported_;
 };
 
 }  // namespace plcxx::nc110

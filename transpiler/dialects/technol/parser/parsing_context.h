@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "transpiler/diagnostics/diagnostics.h"
+#include "transpiler/dialects/common/fault_reporter.h"
 #include "transpiler/dialects/technol/machine/options.h"
 #include "transpiler/dialects/technol/parser/parser.h"
 #include "transpiler/dialects/technol/parser/symbol_table.h"
@@ -16,10 +17,16 @@
 
 namespace plcxx::technol {
 
-class ParsingContext {
+class ParsingContext : private dialects::FaultReporter {
  public:
   ParsingContext(const source::SourceManager& all_sources, diag::Engine& engine, const Settings& options)
-      : sources(all_sources), diagnostics(engine), settings(options), names(program.symbols, options.names) {}
+      : FaultReporter(engine, faulty),
+        sources(all_sources),
+        diagnostics(engine),
+        settings(options),
+        names(program.symbols, options.names) {}
+  ParsingContext(const ParsingContext&) = delete;
+  ParsingContext& operator=(const ParsingContext&) = delete;
 
   /// What is reported from now on belongs to statement `number`, which is located in `in` (none: in a file). Statements
   /// are numbered in the order of the text.
@@ -33,11 +40,9 @@ class ParsingContext {
   /// A statement that is in error gives no further errors (10.5).
   template <class... Args, class... Values>
   diag::Diagnostic& Report(source::Range range, const diag::Message<Args...>& message, Values&&... values) {
-    if (message.row.severity == diag::Severity::kError) {
-      if (faulty) return discarded_;
-      faulty = true;
-    }
-    diag::Diagnostic& diagnostic = diagnostics.Report(range, message, std::forward<Values>(values)...);
+    const bool is_fault = message.row.severity == diag::Severity::kError;
+    diag::Diagnostic& diagnostic = is_fault ? Fault(range, message, std::forward<Values>(values)...)
+                                            : diagnostics.Report(range, message, std::forward<Values>(values)...);
     AddNotes(diagnostic, program, expansion);
     return diagnostic;
   }
@@ -73,7 +78,6 @@ class ParsingContext {
 
   uint32_t near_searches_ = 0;
   std::set<std::string, std::less<>> undefined_, too_long_;
-  diag::Diagnostic discarded_;
 };
 
 /// "'X'", or "the end of the line": a token for messages.
