@@ -39,8 +39,8 @@ void BlockReader::ParseBlockHead(Item& item) {
   if (open_blocks_.size() == kMaxNesting) {
     Fault(word.range, diag::Nc110BlockNesting);
   }
-  chain_.last = BlockId();
-  chain_.unsure = false;
+  chain_ = BlockId();
+  chain_unsure_ = false;
   if (CanBeName(Peek().kind) && !LooksLikeTarget(0)) {
     block.name = open_blocks_.TakeName();
   }
@@ -86,22 +86,28 @@ void BlockReader::ParseCondition(Block& block, source::Range colon) {
 }
 
 void BlockReader::LinkChain(BlockId id, Block& block) {
-  if (!chain_.last.valid()) {
-    if (!chain_.unsure) {
+  if (!chain_.valid()) {
+    if (!chain_unsure_) {
       Fault(block.keyword, diag::Nc110DoeWithoutDof);
     }
     return;
   }
-  Block& previous = program_.blocks[chain_.last];
+  Block& previous = program_.blocks[chain_];
   previous.next = id;
-  block.previous = chain_.last;
+  block.previous = chain_;
   block.unreachable = previous.unreachable || (previous.kind == BlockKind::kDoe && !previous.condition.valid());
   if (block.unreachable) {
     Warn(block.keyword, diag::Nc110UnreachableDoe);
   }
 }
 
+void BlockReader::PassItem(const Item& item) {
+  chain_ = BlockId();
+  chain_unsure_ = item.kind == ItemKind::kError;
+}
+
 void BlockReader::ParseBlockEnd(Item& item) {
+  chain_ = BlockId();
   const Token& word = Take();
   CheckCase(word);
   BlockEnd end;
@@ -111,17 +117,17 @@ void BlockReader::ParseBlockEnd(Item& item) {
       after_name != TokenKind::kOpenParenthesis) {
     end.name = open_blocks_.TakeName();
   }
-  chain_.unsure = false;
+  chain_unsure_ = false;
   const bool closes_loop = !open_blocks_.empty() && program_.blocks[open_blocks_.innermost()].kind == BlockKind::kDow;
   if (end.kind == BlockKind::kDow && !options_.enable_dow && !closes_loop) {
     Fault(word.range, diag::Nc110DowDisabled, "ENDW");
-    chain_.unsure = true;
+    chain_unsure_ = true;
   } else if (open_blocks_.empty()) {
     Fault(word.range, diag::Nc110EndWithoutBlock, EndWord(end.kind));
-    chain_.unsure = true;
+    chain_unsure_ = true;
   } else {
     open_blocks_.Close(end, word);
-    chain_.last = end.kind == BlockKind::kDow ? BlockId() : end.block;
+    chain_ = end.kind == BlockKind::kDow ? BlockId() : end.block;
   }
   item.kind = ItemKind::kBlockEnd;
   item.detail = program_.block_ends.Add(end).index;

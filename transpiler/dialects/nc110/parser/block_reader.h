@@ -7,12 +7,6 @@
 
 namespace plcxx::nc110 {
 
-/// What a DOE right here would follow.
-struct Chain {
-  BlockId last;         // its last member; none: no chain
-  bool unsure = false;  // the item before was faulty: no error 45
-};
-
 class BlockReader : private ItemReader {
  public:
   BlockReader(Parsing& parsing, OpenBlocks& open_blocks, ExpressionReader& expressions)
@@ -20,7 +14,10 @@ class BlockReader : private ItemReader {
 
   void ParseBlockHead(Item& item);
   void ParseBlockEnd(Item& item);
-  Chain& chain() { return chain_; }
+  /// An item that is neither: a DOE after it continues nothing.
+  void PassItem(const Item& item);
+  /// No statement at all: a DOE after it may continue what is before it.
+  void PassStray() { chain_unsure_ = true; }
 
  private:
   void ParseCondition(Block& block, source::Range colon);
@@ -30,7 +27,8 @@ class BlockReader : private ItemReader {
 
   OpenBlocks& open_blocks_;
   ExpressionReader& expressions_;
-  Chain chain_;
+  BlockId chain_;              // of what a DOE right here would follow, the last member; not valid: nothing
+  bool chain_unsure_ = false;  // the item before was faulty: no error 45
 };
 
 }  // namespace plcxx::nc110

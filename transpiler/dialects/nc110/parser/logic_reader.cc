@@ -48,11 +48,7 @@ void LogicReader::ParseItem() {
   Item item;
   const TokenKind kind = Peek().kind;
   const bool block_word = IsBlockWord(kind);
-  Chain& chain = blocks_.chain();
-  const BlockId chain_before = chain.last;
-  if (!(kind == TokenKind::kDoe)) {
-    chain.last = BlockId();
-  }
+  bool stray = false;
   if (kind == TokenKind::kCycleMark) {
     ParseCycleMark(item);
   } else if (kind == TokenKind::kMsg) {
@@ -65,7 +61,7 @@ void LogicReader::ParseItem() {
     assignments_.ParseAssignment(item);
   } else {
     assignments_.ReportNoStatement();
-    chain.last = chain_before;
+    stray = true;
   }
   if (!now_.panic && !Peek().first_on_line) {
     if (!AtItemStart() && !now_.failed) {
@@ -77,8 +73,10 @@ void LogicReader::ParseItem() {
   if (now_.panic) {
     SkipToNextItem(begin);
   }
-  if (!block_word) {
-    chain.unsure = item.kind == ItemKind::kError;
+  if (stray) {
+    blocks_.PassStray();
+  } else if (!block_word) {
+    blocks_.PassItem(item);
   }
   item.faulty = now_.failed;
   item.range = {now_.lexed.tokens[begin].range.begin, now_.lexed.tokens[now_.position - 1].range.end};
