@@ -78,7 +78,7 @@ std::string InstanceText(const ir::Program& program, ir::StateId state, const si
   if (kind == ir::StateKind::kTimeWordTimer) {
     return read("running") != 0 ? std::to_string(read("left_ms")) + " ms left" : "not running";
   }
-  if (kind == ir::StateKind::kOnDelayTimer || kind == ir::StateKind::kUnitTimer) {
+  if (IsTimer(kind)) {
     const uint64_t elapsed = read("elapsed_ms");
     const std::optional<uint64_t> preset = PresetMs(program, state, instances);
     return preset ? OfTime(elapsed, *preset) : std::to_string(elapsed) + " ms elapsed";
@@ -89,26 +89,15 @@ std::string InstanceText(const ir::Program& program, ir::StateId state, const si
 std::string InstancePredicate(const ir::Program& program, ir::StateId state, const sim::Instances& instances) {
   const ir::StateKind kind = program.states[state].kind;
   const std::string text = InstanceText(program, state, instances);
-  switch (kind) {
-    case ir::StateKind::kTimeWordTimer: {
-      const bool running = instances.Read(state.index, ir::FieldIndex(kind, "running")) != 0;
-      return (running ? "has " : "is ") + text;
-    }
-    case ir::StateKind::kOnDelayTimer:
-    case ir::StateKind::kUnitTimer:
-      return "has run " +
-             (PresetMs(program, state, instances)
-                  ? text
-                  : std::to_string(instances.Read(state.index, ir::FieldIndex(kind, "elapsed_ms"))) + " ms");
-    case ir::StateKind::kRingCounter:
-    case ir::StateKind::kOneShot:
-    case ir::StateKind::kTextFlag:
-    case ir::StateKind::kTextInbox:
-    case ir::StateKind::kDecadeCounter:
-    case ir::StateKind::kEdgeMemory:
-    case ir::StateKind::kPositionCounter:
-    case ir::StateKind::kAxisRequest:
-      break;
+  if (kind == ir::StateKind::kTimeWordTimer) {
+    const bool running = instances.Read(state.index, ir::FieldIndex(kind, "running")) != 0;
+    return (running ? "has " : "is ") + text;
+  }
+  if (IsTimer(kind)) {
+    const bool has_preset = PresetMs(program, state, instances).has_value();
+    return "has run " + (has_preset
+                             ? text
+                             : std::to_string(instances.Read(state.index, ir::FieldIndex(kind, "elapsed_ms"))) + " ms");
   }
   if (text.empty()) return "is as the scan before left it";
   // Of one field alone the name says nothing: what an edge has kept is called "was".
