@@ -7,6 +7,7 @@
 
 #include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/near_location.h"
+#include "transpiler/support/low_bits.h"
 
 namespace plcxx::scenarios {
 namespace {
@@ -147,8 +148,7 @@ uint64_t PlantBits(const dialects::Location& location, int64_t number) {
   if (type == ir::Type::kF32) return std::bit_cast<uint32_t>(static_cast<float>(number));
   if (type == ir::Type::kF64) return std::bit_cast<uint64_t>(static_cast<double>(number));
   const uint32_t width = type == ir::Type::kBit ? 1 : 8 * ir::Bytes(type);
-  const auto bits = static_cast<uint64_t>(number);
-  return FittingField(location, width >= 64 ? bits : bits & ((uint64_t{1} << width) - 1));
+  return FittingField(location, static_cast<uint64_t>(number) & support::LowBits(width));
 }
 
 }  // namespace plcxx::scenarios

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "transpiler/support/check.h"
+#include "transpiler/support/low_bits.h"
 #include "transpiler/symbolic/execute/host_writes.h"
 
 namespace plcxx::scenarios {
@@ -21,8 +22,7 @@ ir::Place ByteOf(ir::SpaceId space, uint32_t offset) {
 uint64_t Fitting(ir::Type type, uint64_t value) {
   if (type == ir::Type::kNone) return 0;
   if (type == ir::Type::kBit) return value != 0 ? 1 : 0;
-  const uint32_t bits = 8 * ir::Bytes(type);
-  return bits >= 64 ? value : value & ((uint64_t{1} << bits) - 1);
+  return value & support::LowBits(8 * ir::Bytes(type));
 }
 
 /// Proofs take it that the control writes nothing but what the zones of memory say.

@@ -14,6 +14,7 @@
 #include "transpiler/scenarios/near_location.h"
 #include "transpiler/sim/value_text.h"
 #include "transpiler/support/columns.h"
+#include "transpiler/support/low_bits.h"
 
 namespace plcxx::scenarios {
 namespace {
@@ -26,8 +27,7 @@ struct Overloaded : Visitors... {
 /// The largest value of an integer type.
 uint64_t Largest(ir::Type type) {
   if (type == ir::Type::kBit) return 1;
-  const uint32_t bits = 8 * ir::Bytes(type);
-  return bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1;
+  return support::LowBits(8 * ir::Bytes(type));
 }
 
 std::optional<uint64_t> Digits(std::string_view digits, int base) {

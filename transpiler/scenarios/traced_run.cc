@@ -20,6 +20,7 @@
 #include "transpiler/sim/simulator.h"
 #include "transpiler/sim/trace.h"
 #include "transpiler/sim/value_text.h"
+#include "transpiler/support/low_bits.h"
 
 namespace plcxx::scenarios {
 namespace {
@@ -116,7 +117,7 @@ uint64_t BitsOf(const sim::VcdSignal& signal, uint64_t value, ir::Type type) {
     return type == ir::Type::kF64 ? value : static_cast<uint64_t>(static_cast<int64_t>(real));
   }
   const uint32_t width = type == ir::Type::kBit ? 1 : 8 * ir::Bytes(type);
-  return width >= 64 ? value : value & ((uint64_t{1} << width) - 1);
+  return value & support::LowBits(width);
 }
 
 std::string ScenarioValue(const sim::VcdSignal& signal, uint64_t value, const Location& location) {

@@ -13,6 +13,7 @@
 #include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/sim/value_text.h"
+#include "transpiler/support/low_bits.h"
 
 namespace plcxx::soak {
 namespace {
@@ -191,7 +192,7 @@ std::optional<uint32_t> Inputs::Towards(ir::StatementId statement, terms::Random
 
 uint64_t Inputs::ValueFor(const Input& input, uint64_t now, terms::Random& random) const {
   if (input.is_request) return 0;
-  const uint64_t all = input.width >= 64 ? ~uint64_t{0} : (uint64_t{1} << input.width) - 1;
+  const uint64_t all = support::LowBits(input.width);
   if (input.width == 1) return random.OneIn(8) ? random.Next() >> 7 & 1 : now ^ 1;
   uint64_t value = 0;
   switch (kDraws[random.Next() % std::size(kDraws)]) {

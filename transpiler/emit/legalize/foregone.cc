@@ -9,6 +9,7 @@
 
 #include "transpiler/emit/legalize/steps.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/support/low_bits.h"
 
 namespace plcxx::emit::legalize {
 namespace {
@@ -26,8 +27,7 @@ Interval IntervalOf(const ir::Program& program, ir::ValueId value) {
   if (std::ranges::find(kWidenings, inst.op) != std::ranges::end(kWidenings))
     return IntervalOf(program, ir::ValueId(inst.a));
   if (inst.type == ir::Type::kBit) return {0, 1};
-  const uint32_t bits = 8 * ir::Bytes(inst.type);
-  return {0, bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1};
+  return {0, support::LowBits(8 * ir::Bytes(inst.type))};
 }
 
 bool Apart(const Interval& a, const Interval& b) { return a.high < b.low || b.high < a.low; }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "transpiler/prove/machine/inputs.h"
+#include "transpiler/support/low_bits.h"
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/evaluate.h"
 
@@ -101,7 +102,7 @@ std::vector<uint64_t> OwnCells::Sample(uint64_t sample) const {
   std::vector<uint64_t> variables(terms_.variable_count());
   for (uint64_t i = 0; i < variables.size(); ++i) variables[i] = Mixed(i, sample);
   for (const OwnCell& own : own_) {
-    const uint64_t mask = (own.width >= 64 ? ~uint64_t{0} : (uint64_t{1} << own.width) - 1) << own.bit;
+    const uint64_t mask = support::LowBits(own.width) << own.bit;
     uint64_t& variable = variables[own.variable];
     variable = (variable & ~mask) | (Mixed(own.kind, ~sample) << own.bit & mask);
   }

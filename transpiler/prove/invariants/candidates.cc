@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "transpiler/ir/op.h"
+#include "transpiler/support/low_bits.h"
 
 namespace plcxx::prove::invariants {
 namespace {
@@ -108,7 +109,7 @@ void Candidates::AddBits(std::vector<Invariant>& guesses) const {
 }
 
 void Candidates::AddLimits(const SeenNumber& number, std::vector<Invariant>& guesses) const {
-  const uint64_t most = number.width >= 64 ? ~uint64_t{0} : (uint64_t{1} << number.width) - 1;
+  const uint64_t most = support::LowBits(number.width);
   std::set<uint64_t> nearest;
   for (const std::set<uint64_t>* limits : {&limits_, &program_limits_}) {
     size_t count = 0;

@@ -2,6 +2,7 @@
 
 #include "transpiler/dialects/hnc/lowering/stated_facts.h"
 #include "transpiler/support/check.h"
+#include "transpiler/support/low_bits.h"
 
 namespace plcxx::hnc {
 
@@ -10,10 +11,7 @@ using ir::ValueId;
 
 namespace {
 
-uint64_t Masked(int64_t value, uint32_t bits) {
-  const auto raw = static_cast<uint64_t>(value);
-  return bits >= 64 ? raw : raw & ((uint64_t{1} << bits) - 1);
-}
+uint64_t Masked(int64_t value, uint32_t bits) { return static_cast<uint64_t>(value) & support::LowBits(bits); }
 
 /// The value that the low bits are, as the type reads them.
 int64_t Wrapped(int64_t value, const Type& type) {

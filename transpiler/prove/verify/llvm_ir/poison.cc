@@ -12,12 +12,13 @@
 #include <cmath>
 
 #include "transpiler/prove/verify/llvm_ir/executor.h"
+#include "transpiler/support/low_bits.h"
 #include "transpiler/symbolic/terms/floats.h"
 
 namespace plcxx::prove::verify::llvm_ir {
 namespace {
 
-uint64_t Ones(unsigned width) { return width >= 64 ? ~uint64_t{0} : (uint64_t{1} << width) - 1; }
+using support::LowBits;
 
 bool IsSignedDivision(const llvm::BinaryOperator& inst) { return inst.getOpcode() == llvm::Instruction::SDiv; }
 
@@ -59,11 +60,11 @@ terms::TermId Executor::ProductOverflows(terms::TermId a, terms::TermId b, bool 
   if (terms_.IsConst(b)) {
     const uint64_t factor = terms_.Value(b);
     if (factor == 0) return {};
-    if (!has_sign) return terms_.Ult(terms_.Const(Ones(width) / factor, width), a);
-    if (factor <= Ones(width) >> 1) {
-      const uint64_t greatest = (Ones(width) >> 1) / factor;
+    if (!has_sign) return terms_.Ult(terms_.Const(LowBits(width) / factor, width), a);
+    if (factor <= LowBits(width) >> 1) {
+      const uint64_t greatest = (LowBits(width) >> 1) / factor;
       const uint64_t least =
-          terms::Masked(~(greatest + ((Ones(width) >> 1) % factor == factor - 1 ? 1 : 0)) + 1, width);
+          terms::Masked(~(greatest + ((LowBits(width) >> 1) % factor == factor - 1 ? 1 : 0)) + 1, width);
       return terms_.Or(terms_.Slt(terms_.Const(greatest, width), a), terms_.Slt(a, terms_.Const(least, width)));
     }
   }
@@ -72,7 +73,7 @@ terms::TermId Executor::ProductOverflows(terms::TermId a, terms::TermId b, bool 
   terms::TermId overflow = terms_.And(terms_.Ne(a, zero), terms_.Ne(back, b));
   if (has_sign) {
     const terms::TermId least = terms_.Const(uint64_t{1} << (width - 1), width);
-    const terms::TermId minus_one = terms_.Const(Ones(width), width);
+    const terms::TermId minus_one = terms_.Const(LowBits(width), width);
     overflow = terms_.Or(overflow, terms_.And(terms_.Eq(a, minus_one), terms_.Eq(b, least)));
   }
   return overflow;
@@ -97,7 +98,7 @@ terms::TermId Executor::PoisonOfBinary(const llvm::BinaryOperator& inst, terms::
   const bool no_unsigned = wraps && inst.hasNoUnsignedWrap(), no_signed = wraps && inst.hasNoSignedWrap();
   // Most flags are the optimizer's own, of numbers that are small: their ranges say so at once.
   const ValueRange low = ranges_.Of(a), high = ranges_.Of(b);
-  const uint64_t greatest = no_signed ? Ones(width) >> 1 : Ones(width);
+  const uint64_t greatest = no_signed ? LowBits(width) >> 1 : LowBits(width);
   switch (inst.getOpcode()) {
     case llvm::Instruction::Add:
       if (low.high <= greatest && high.high <= greatest - low.high) break;
@@ -160,14 +161,14 @@ terms::TermId Executor::PoisonOfConversion(const llvm::CastInst& inst, terms::Te
   switch (inst.getOpcode()) {
     case llvm::Instruction::ZExt:
     case llvm::Instruction::UIToFP:
-      if (!inst.hasNonNeg() || ranges_.Of(a).high <= Ones(from) >> 1) return {};
+      if (!inst.hasNonNeg() || ranges_.Of(a).high <= LowBits(from) >> 1) return {};
       return OrNone(SignOf(a));
     case llvm::Instruction::Trunc: {
       const auto& cut = llvm::cast<llvm::TruncInst>(inst);
       terms::TermId poison;
       const uint64_t high = ranges_.Of(a).high;
-      if (cut.hasNoUnsignedWrap() && high > Ones(to)) poison = OrNone(terms_.Ne(terms_.Zext(result, from), a));
-      if (cut.hasNoSignedWrap() && high > Ones(to) >> 1)
+      if (cut.hasNoUnsignedWrap() && high > LowBits(to)) poison = OrNone(terms_.Ne(terms_.Zext(result, from), a));
+      if (cut.hasNoSignedWrap() && high > LowBits(to) >> 1)
         poison = Either(poison, OrNone(terms_.Ne(terms_.Sext(result, from), a)));
       return poison;
     }

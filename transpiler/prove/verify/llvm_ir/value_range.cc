@@ -4,18 +4,20 @@
 #include <bit>
 #include <numeric>
 
+#include "transpiler/support/low_bits.h"
+
 namespace plcxx::prove::verify::llvm_ir {
 namespace {
 
-uint64_t Ones(uint8_t width) { return terms::Masked(~uint64_t{0}, width); }
+using support::LowBits;
 
 ValueRange All(uint8_t width, uint64_t step = 1) {
-  const uint64_t ones = Ones(width);
+  const uint64_t ones = LowBits(width);
   return {0, step > ones ? 0 : ones / step * step, step > ones ? 0 : step};
 }
 
-bool AddFits(uint64_t a, uint64_t b, uint8_t width) { return b <= Ones(width) && a <= Ones(width) - b; }
-bool MulFits(uint64_t a, uint64_t b, uint8_t width) { return a == 0 || b <= Ones(width) / a; }
+bool AddFits(uint64_t a, uint64_t b, uint8_t width) { return b <= LowBits(width) && a <= LowBits(width) - b; }
+bool MulFits(uint64_t a, uint64_t b, uint8_t width) { return a == 0 || b <= LowBits(width) / a; }
 
 /// The greatest power of two that divides all values.
 uint64_t PowerIn(ValueRange range) {
@@ -51,9 +53,9 @@ ValueRange ValueRanges::OfMask(const terms::Term& term, ValueRange a, ValueRange
   // A mask that keeps all that there is.
   const auto bits = static_cast<uint8_t>(std::bit_width(a.high));
   const uint64_t below = PowerIn(a);
-  if (((mask | (below - 1)) & Ones(bits)) == Ones(bits)) return a;
+  if (((mask | (below - 1)) & LowBits(bits)) == LowBits(bits)) return a;
   const uint64_t step = std::max(low_zeros, below);
-  return {0, std::min(mask, a.high) / step * step, step > Ones(term.width) ? 0 : step};
+  return {0, std::min(mask, a.high) / step * step, step > LowBits(term.width) ? 0 : step};
 }
 
 ValueRange ValueRanges::Compute(const terms::Term& term) {
@@ -109,8 +111,8 @@ ValueRange ValueRanges::Compute(const terms::Term& term) {
     }
     case terms::TermKind::kExtract: {
       const ValueRange x = a();
-      if (term.b == 0 && x.high <= Ones(term.width)) return x;
-      return term.b == 0 ? All(term.width, std::min(PowerIn(x), Ones(term.width))) : All(term.width);
+      if (term.b == 0 && x.high <= LowBits(term.width)) return x;
+      return term.b == 0 ? All(term.width, std::min(PowerIn(x), LowBits(term.width))) : All(term.width);
     }
     case terms::TermKind::kVariable:
     case terms::TermKind::kNot:

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "transpiler/prove/verify/llvm_ir/refusal.h"
+#include "transpiler/support/low_bits.h"
 
 namespace plcxx::prove::verify::machine_code {
 
@@ -28,7 +29,7 @@ llvm::IntegerType* FunctionLifter::Word() const {
 }
 llvm::Value* FunctionLifter::Number(uint64_t value) const {
   const unsigned bits = program_.convention().bits;
-  return llvm::ConstantInt::get(Word(), bits >= 64 ? value : value & ((uint64_t{1} << bits) - 1));
+  return llvm::ConstantInt::get(Word(), value & support::LowBits(bits));
 }
 
 const Link* FunctionLifter::LinkAt(std::initializer_list<uint64_t> types) {
