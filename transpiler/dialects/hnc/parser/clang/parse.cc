@@ -7,12 +7,9 @@
 #include <clang/Sema/Sema.h>
 #include <pthread.h>
 
-#include <algorithm>
-#include <charconv>
 #include <memory>
 #include <unordered_map>
 
-#include "transpiler/dialects/hnc/machine/product_names.h"
 #include "transpiler/dialects/hnc/parser/clang/converter.h"
 #include "transpiler/dialects/hnc/parser/clang/record_layout.h"
 #include "transpiler/dialects/hnc/parser/clang/session.h"
@@ -44,25 +41,6 @@ void RunOnLargeStack(Work work) {
     return;
   }
   work();
-}
-
-/// Comments such as /*@loop_bound 8@*/ say the same as #pragma plcxx loop_bound(8).
-void AddLoopBounds(const std::vector<Comment>& comments, Findings& findings, std::vector<LoopBound>& bounds) {
-  constexpr std::string_view kMark = "@loop_bound";
-  for (const Comment& comment : comments) {
-    std::string_view text = comment.text;
-    if (!text.starts_with(kMark)) continue;
-    text.remove_prefix(kMark.size());
-    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-    uint32_t rounds = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), rounds);
-    if (read.ec == std::errc{} && rounds >= 1 && rounds <= 65535) {
-      bounds.push_back({rounds, comment.range});
-    } else {
-      findings.Report(comment.range, diag::HncPragma, "loop_bound: the bound is a number from 1 to 65535");
-    }
-  }
-  std::ranges::sort(bounds, {}, [](const LoopBound& bound) { return bound.range.begin; });
 }
 
 std::string_view KindOf(const clang::Token& token) {
@@ -158,28 +136,9 @@ void ParseTokens(Session& session) {
     sema.ActOnEndOfTranslationUnit();
   }
   session.findings().SetPhase(Phase::kMeaning);
-  Converter(session).Run();
+  Conversion conversion{.session = session};
+  Converter(conversion).Run();
   if (session.until == ParseUntil::kCode) session.output.bitcode = GenerateCode(session, all);
-}
-
-void Converter::Run() {
-  unit_.expressions.Reserve(session_.tokens.size());  // about as many, and growing copies all of them again and again
-  CollectComments();
-  loop_bounds_ = session_.loop_bounds;
-  AddLoopBounds(unit_.comments, findings(), loop_bounds_);
-  unit_.char_is_signed = context_.getLangOpts().CharIsSigned != 0;
-  const clang::TranslationUnitDecl* unit = context_.getTranslationUnitDecl();
-  for (const clang::Decl* declaration : unit->decls()) {
-    const auto* named = llvm::dyn_cast<clang::NamedDecl>(declaration);
-    if (named == nullptr || named->getDeclName().isEmpty()) continue;
-    const std::string name = named->getNameAsString();
-    const auto* function = llvm::dyn_cast<clang::FunctionDecl>(declaration);
-    if (function != nullptr && function->doesThisDeclarationHaveABody()) bodies_.insert(name);
-    if (name.starts_with(kExpectedPrefix)) expected_.emplace(name.substr(kExpectedPrefix.size()), named);
-  }
-  for (const clang::Decl* declaration : unit->decls()) Declare(declaration);
-  if (!session_.stopped) CheckCalls();
-  CheckEntries();
 }
 
 }  // namespace plcxx::hnc

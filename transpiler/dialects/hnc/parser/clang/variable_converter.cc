@@ -1,12 +1,9 @@
-// Variables, functions and their initialisers (specification 3.1, 3.2, 4.1, 9.2).
-#include <clang/AST/DeclGroup.h>
+#include "transpiler/dialects/hnc/parser/clang/variable_converter.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "transpiler/dialects/hnc/machine/machine.h"
-#include "transpiler/dialects/hnc/machine/product_names.h"
-#include "transpiler/dialects/hnc/parser/clang/converter.h"
+#include "transpiler/dialects/hnc/parser/clang/expression_converter.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -33,57 +30,7 @@ const clang::VarDecl* DefinitionOf(const clang::VarDecl* variable) {
 
 }  // namespace
 
-void Converter::CollectComments() {
-  const std::vector<source::Range>& left_out = session_.output.left_out;
-  const auto counts = [&](const Comment& comment) {
-    return std::ranges::none_of(left_out, [&](source::Range group) {
-      return group.begin <= comment.range.begin && comment.range.begin < group.end;
-    });
-  };
-  for (const std::string& path : session_.output.read) {
-    const SourceText* text = session_.input.open(path);
-    if (text == nullptr) continue;
-    std::ranges::copy_if(text->comments, std::back_inserter(unit_.comments), counts);
-  }
-  const auto place = [](const Comment& comment) { return comment.range.begin; };
-  std::ranges::sort(unit_.comments, {}, place);
-  // A file that is included twice is read twice.
-  const auto repeated = std::ranges::unique(unit_.comments, {}, place);
-  unit_.comments.erase(repeated.begin(), repeated.end());
-}
-
-void Converter::Declare(const clang::Decl* declaration) {
-  if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(declaration)) {
-    if (std::string_view(variable->getName()).starts_with(kProductPrefix)) return;
-    if (InProduct(variable)) return;  // when it is used
-    if (variable->isInvalidDecl()) return;
-    VariableOf(variable);
-    CheckSystemVariable(variable);
-  } else if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(declaration)) {
-    if (std::string_view(function->getName()).starts_with(kProductPrefix)) return;
-    if (InProduct(function) || function->isImplicit()) return;
-    FunctionOf(function);
-    CheckFunction(function);
-    if (function->doesThisDeclarationHaveABody()) Define(function);
-  } else if (const auto* record = llvm::dyn_cast<clang::RecordDecl>(declaration)) {
-    CheckMembers(record);
-  } else if (const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(declaration)) {
-    for (const clang::EnumConstantDecl* constant : enumeration->enumerators()) {
-      const int64_t value = constant->getInitVal().getExtValue();
-      if (value < -32768 || value > 32767) {
-        findings().Report(NameOf(constant), diag::HncConstantTooLarge, constant->getName());
-        break;  // those after it follow
-      }
-      if (const clang::Expr* init = constant->getInitExpr()) {
-        if (!constant->getName().starts_with(kProductPrefix) && HasWildShift(Convert(init))) {
-          findings().Report(NameOf(constant), diag::HncConstantRequired, "with a shift count inside the width");
-        }
-      }
-    }
-  }
-}
-
-VariableId Converter::VariableOf(const clang::VarDecl* variable) {
+VariableId VariableConverter::VariableOf(const clang::VarDecl* variable) {
   const clang::VarDecl* key = variable->getCanonicalDecl();
   const auto known = variables_.find(key);
   if (known != variables_.end()) return known->second;
@@ -98,9 +45,9 @@ VariableId Converter::VariableOf(const clang::VarDecl* variable) {
   } else {
     result.storage = variable->isStaticLocal() ? Storage::kStaticLocal : Storage::kAutomatic;
   }
-  if (!IsFileVariable(variable)) result.function = function_;
+  if (!IsFileVariable(variable)) result.function = now_.function;
   const clang::VarDecl* newest = variable->getMostRecentDecl();
-  result.type = TypeOf(IsFileVariable(variable) ? newest->getType() : described->getType());
+  result.type = types_.TypeOf(IsFileVariable(variable) ? newest->getType() : described->getType());
   result.is_const = context_.getBaseElementType(described->getType()).isConstQualified();
   result.is_register = variable->getStorageClass() == clang::SC_Register;
   result.range = NameOf(described);
@@ -110,7 +57,7 @@ VariableId Converter::VariableOf(const clang::VarDecl* variable) {
   return id;
 }
 
-void Converter::DescribeFileVariable(const clang::VarDecl* variable, Variable& result) {
+void VariableConverter::DescribeFileVariable(const clang::VarDecl* variable, Variable& result) {
   if (IsPeriod(result.name)) {
     result.storage = result.name == "plc1_time" ? Storage::kPlc1Time : Storage::kPlc2Time;
     return;
@@ -118,12 +65,12 @@ void Converter::DescribeFileVariable(const clang::VarDecl* variable, Variable& r
   if (const auto system = FindSystemName(result.name)) {
     result.storage = Storage::kSystem;
     const AreaRow& area = RowOf(system->area);
-    const auto* declared = llvm::dyn_cast_or_null<clang::VarDecl>(expected_[result.name]);
+    const auto* declared = Expected<clang::VarDecl>(result.name);
     const clang::ArrayType* array = declared == nullptr ? nullptr : context_.getAsArrayType(declared->getType());
     if (array == nullptr) return;
     clang::QualType element = array->getElementType();
     if (area.table) element = element->getPointeeType();
-    SystemView view{.area = system->area, .table = area.table, .element = TypeOf(element), .count = 0};
+    SystemView view{.area = system->area, .table = area.table, .element = types_.TypeOf(element), .count = 0};
     constexpr uint32_t kTableBytes = 2;
     view.count = area.bytes / (area.table ? kTableBytes : unit_.types[view.element].size);
     result.view = view;
@@ -133,15 +80,14 @@ void Converter::DescribeFileVariable(const clang::VarDecl* variable, Variable& r
   result.storage = DefinitionOf(variable) != nullptr ? Storage::kGlobal : Storage::kUndefined;
 }
 
-/// A declaration of the program for a name of the system header (9.2).
-void Converter::CheckSystemVariable(const clang::VarDecl* variable) {
+void VariableConverter::CheckSystemVariable(const clang::VarDecl* variable) {
   const std::string name = variable->getNameAsString();
   if (!IsFileVariable(variable) || !IsSystemVariable(name)) return;
   if (!IsPeriod(name) && variable->isThisDeclarationADefinition() != clang::VarDecl::DeclarationOnly) {
     findings().Report(NameOf(variable), diag::HncRedefinitionSystem, name);
     return;
   }
-  const auto* expected = llvm::dyn_cast_or_null<clang::VarDecl>(expected_[name]);
+  const auto* expected = Expected<clang::VarDecl>(name);
   if (expected == nullptr) return;
   bool fits = false;
   const clang::ArrayType* array = context_.getAsArrayType(variable->getType());
@@ -162,12 +108,12 @@ void Converter::CheckSystemVariable(const clang::VarDecl* variable) {
   }
 }
 
-void Converter::Initialise(const clang::VarDecl* variable, VariableId id) {
+void VariableConverter::Initialise(const clang::VarDecl* variable, VariableId id) {
   const bool product = InProduct(variable);
   const Holder holder = llvm::isa<clang::ParmVarDecl>(variable) ? Holder::kParameter : Holder::kObject;
   const bool system = unit_.variables[id].storage == Storage::kSystem;
   if (!product && !system) {
-    CheckDeclaredType(variable->getType(), holder, variable->getNameAsString(), NameOf(variable), variable);
+    checker_.CheckDeclaredType(variable->getType(), holder, variable->getNameAsString(), NameOf(variable), variable);
   }
   const clang::Expr* init = variable->getInit();
   if (init == nullptr || system) return;
@@ -177,22 +123,27 @@ void Converter::Initialise(const clang::VarDecl* variable, VariableId id) {
   unit_.variables[id].initial = std::move(values);
 }
 
-void Converter::Flatten(const clang::Expr* init, clang::QualType type, uint32_t offset,
-                        std::vector<InitialValue>& values) {
+void VariableConverter::Flatten(const clang::Expr* init, clang::QualType type, uint32_t offset,
+                                std::vector<InitialValue>& values) {
   if (llvm::isa<clang::ImplicitValueInitExpr>(init)) return;
   const auto* list = llvm::dyn_cast<clang::InitListExpr>(init);
   if (list == nullptr) {
     const auto* string = llvm::dyn_cast<clang::StringLiteral>(init->IgnoreParens());
-    InitialValue value{
-        .offset = offset, .is_bit_field = false, .bit_offset = 0, .bit_width = 0, .type = TypeOf(type), .value = {}};
-    value.value = string != nullptr && type->isArrayType() ? String(string, value.type) : Convert(init);
+    InitialValue value{.offset = offset,
+                       .is_bit_field = false,
+                       .bit_offset = 0,
+                       .bit_width = 0,
+                       .type = types_.TypeOf(type),
+                       .value = {}};
+    value.value =
+        string != nullptr && type->isArrayType() ? builder_.String(string, value.type) : expressions_.Convert(init);
     values.push_back(value);
     return;
   }
   if (!list->isSemanticForm() && list->getSemanticForm() != nullptr) list = list->getSemanticForm();
   if (const clang::ArrayType* array = context_.getAsArrayType(type)) {
     if (list->isStringLiteralInit()) return Flatten(list->getInit(0), type, offset, values);
-    const uint32_t size = unit_.types[TypeOf(array->getElementType())].size;
+    const uint32_t size = unit_.types[types_.TypeOf(array->getElementType())].size;
     for (unsigned i = 0; i < list->getNumInits(); ++i) {
       Flatten(list->getInit(i), array->getElementType(), offset + i * size, values);
     }
@@ -203,7 +154,7 @@ void Converter::Flatten(const clang::Expr* init, clang::QualType type, uint32_t 
     if (list->getNumInits() > 0) Flatten(list->getInit(0), type, offset, values);
     return;
   }
-  const RecordId id = RecordOf(record->getDecl());
+  const RecordId id = types_.RecordOf(record->getDecl());
   const std::vector<Member> members = unit_.records[id].members;  // converting may add records
   const bool is_union = unit_.records[id].is_union;
   if (members.empty()) return;  // it has an error

@@ -1,11 +1,12 @@
-// Functions: what they are, what may not be declared, their bodies (specification 4.1, 6.4, 9.4).
+#include "transpiler/dialects/hnc/parser/clang/function_converter.h"
+
 #include <clang/AST/TypeLoc.h>
 
 #include <algorithm>
 
 #include "transpiler/dialects/hnc/machine/machine.h"
-#include "transpiler/dialects/hnc/machine/product_names.h"
-#include "transpiler/dialects/hnc/parser/clang/converter.h"
+#include "transpiler/dialects/hnc/parser/clang/statement_converter.h"
+#include "transpiler/dialects/hnc/parser/clang/variable_converter.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -19,13 +20,7 @@ bool IsWritten(const clang::FunctionDecl* function) {
 
 }  // namespace
 
-/// What the product declares for a function of this name; null where it has none.
-const clang::FunctionDecl* Converter::Expected(const clang::FunctionDecl* function) const {
-  const auto expected = expected_.find(function->getNameAsString());
-  return expected == expected_.end() ? nullptr : llvm::dyn_cast<clang::FunctionDecl>(expected->second);
-}
-
-FunctionId Converter::FunctionOf(const clang::FunctionDecl* function) {
+FunctionId FunctionConverter::FunctionOf(const clang::FunctionDecl* function) {
   const clang::FunctionDecl* key = function->getCanonicalDecl();
   const auto known = functions_.find(key);
   if (known != functions_.end()) return known->second;
@@ -38,7 +33,7 @@ FunctionId Converter::FunctionOf(const clang::FunctionDecl* function) {
   if (definition == nullptr && IsWritten(function)) {
     if (const FunctionRow* row = FindSystemFunction(result.name)) {
       result.system = row->function;
-      if (const clang::FunctionDecl* expected = Expected(function)) {
+      if (const auto* expected = Expected<clang::FunctionDecl>(function->getNameAsString())) {
         // abs keeps the type of its argument where an option says so: then it has two declarations.
         if (!described->hasAttrs()) described = expected;
       }
@@ -47,10 +42,10 @@ FunctionId Converter::FunctionOf(const clang::FunctionDecl* function) {
       if (row->function == SystemFunction::kAbs && takes_long) result.system = SystemFunction::kLabs;
     }
   }
-  result.result = TypeOf(described->getReturnType());
+  result.result = types_.TypeOf(described->getReturnType());
   result.has_prototype = described->hasWrittenPrototype();
   for (const clang::ParmVarDecl* parameter : described->parameters()) {
-    result.parameter_types.push_back(TypeOf(parameter->getType()));
+    result.parameter_types.push_back(types_.TypeOf(parameter->getType()));
   }
   result.range = NameOf(described);
   if (InProduct(described)) result.range = {};
@@ -59,18 +54,18 @@ FunctionId Converter::FunctionOf(const clang::FunctionDecl* function) {
   return id;
 }
 
-void Converter::CheckFunction(const clang::FunctionDecl* function) {
+void FunctionConverter::CheckFunction(const clang::FunctionDecl* function) {
   const std::string name = function->getNameAsString();
   const bool body = function->doesThisDeclarationHaveABody();
   if (FindSystemName(name) || name == "plc1_time" || name == "plc2_time") {
     findings().Report(NameOf(function), diag::HncRedefinitionSystem, name);
   }
   if (name != "set_mst_func") {
-    CheckDeclaredType(function->getReturnType(), Holder::kResult, name, NameOf(function));
+    checker_.CheckDeclaredType(function->getReturnType(), Holder::kResult, name, NameOf(function));
     for (const clang::ParmVarDecl* parameter : function->parameters()) {
       if (body) break;  // as variables
       const std::string text = parameter->getName().empty() ? name : parameter->getNameAsString();
-      CheckDeclaredType(parameter->getType(), Holder::kParameter, text, NameOf(parameter));
+      checker_.CheckDeclaredType(parameter->getType(), Holder::kParameter, text, NameOf(parameter));
     }
   }
   if (body && function->isVariadic() && function->getType()->isFunctionProtoType()) {
@@ -78,7 +73,7 @@ void Converter::CheckFunction(const clang::FunctionDecl* function) {
     findings().Report(dots.begin == 0 ? NameOf(function) : dots, diag::HncVariableArgument, "'" + name + "'");
   }
   // A definition takes the place of the product's function, if it has the same type; headers compare it themselves.
-  const clang::FunctionDecl* expected = Expected(function);
+  const auto* expected = Expected<clang::FunctionDecl>(function->getNameAsString());
   if (expected == nullptr || FindSystemFunction(name) == nullptr) return;
   if (body || function->getType()->isFunctionProtoType()) {
     const bool fits = context_.typesAreCompatible(function->getType(), expected->getType());
@@ -90,7 +85,7 @@ void Converter::CheckFunction(const clang::FunctionDecl* function) {
   }
 }
 
-void Converter::CheckEntry(const clang::FunctionDecl* function) {
+void FunctionConverter::CheckEntry(const clang::FunctionDecl* function) {
   const std::string name = function->getNameAsString();
   if (name == "main") findings().Report(NameOf(function), diag::HncMain);
   if (!IsEntry(name)) return;
@@ -99,27 +94,26 @@ void Converter::CheckEntry(const clang::FunctionDecl* function) {
   if (function->getNumParams() != 0 || !fits) findings().Report(NameOf(function), diag::HncEntryShape, name);
 }
 
-void Converter::Define(const clang::FunctionDecl* function) {
+void FunctionConverter::Define(const clang::FunctionDecl* function) {
   CheckEntry(function);
   const FunctionId id = FunctionOf(function);
   unit_.definitions.push_back(id);
-  function_ = id;
-  labels_.clear();
-  selectors_.clear();
+  now_.function = id;
   std::vector<VariableId> parameters;
-  for (const clang::ParmVarDecl* parameter : function->parameters()) parameters.push_back(VariableOf(parameter));
+  for (const clang::ParmVarDecl* parameter : function->parameters())
+    parameters.push_back(variables_.VariableOf(parameter));
   unit_.functions[id].parameters = std::move(parameters);
   source::Offset head_end = NameOf(function).end;
   if (const clang::FunctionTypeLoc type = function->getFunctionTypeLoc()) {
     head_end = std::max(head_end, session_.places.OfToken(type.getRParenLoc()).end);
   }
   unit_.functions[id].head = {session_.places.Of(function->getBeginLoc()), head_end};
-  unit_.functions[id].body = Convert(function->getBody());
+  unit_.functions[id].body = statements_.ConvertBody(function);
   const std::string name = function->getNameAsString();
   if (name == "init") unit_.init = id;
   if (name == "plc1") unit_.plc1 = id;
   if (name == "plc2") unit_.plc2 = id;
-  function_ = {};
+  now_.function = {};
 }
 
 }  // namespace plcxx::hnc

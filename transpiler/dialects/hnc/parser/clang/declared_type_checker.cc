@@ -1,8 +1,9 @@
-// What a declared type may not contain (specification 6.5): pointers to functions, pointers within aggregates, pointers
-// to pointers; bit-fields of other types than 5.6 has.
+#include "transpiler/dialects/hnc/parser/clang/declared_type_checker.h"
+
 #include <clang/AST/Type.h>
 
-#include "transpiler/dialects/hnc/parser/clang/converter.h"
+#include "transpiler/dialects/hnc/machine/product_names.h"
+#include "transpiler/dialects/hnc/parser/clang/expression_converter.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -26,7 +27,7 @@ const clang::Expr* WithoutCasts(const clang::Expr* expr) { return expr->IgnorePa
 }  // namespace
 
 /// An initialised array of string literals that nothing can change.
-bool Converter::IsTableOfStrings(const clang::VarDecl* variable) const {
+bool DeclaredTypeChecker::IsTableOfStrings(const clang::VarDecl* variable) const {
   if (variable == nullptr || !variable->hasInit()) return false;
   const clang::ArrayType* array = context_.getAsArrayType(variable->getType());
   if (array == nullptr) return false;
@@ -42,8 +43,8 @@ bool Converter::IsTableOfStrings(const clang::VarDecl* variable) const {
   return true;
 }
 
-void Converter::CheckDeclaredType(clang::QualType type, Holder holder, const std::string& name, source::Range range,
-                                  const clang::VarDecl* variable) {
+void DeclaredTypeChecker::CheckDeclaredType(clang::QualType type, Holder holder, const std::string& name,
+                                            source::Range range, const clang::VarDecl* variable) {
   if (range.begin == 0) return;
   const std::string quoted = "'" + name + "'";
   if (HasFunctionPointer(type)) {
@@ -66,11 +67,11 @@ void Converter::CheckDeclaredType(clang::QualType type, Holder holder, const std
   }
 }
 
-void Converter::CheckMembers(const clang::RecordDecl* record) {
+void DeclaredTypeChecker::CheckMembers(const clang::RecordDecl* record) {
   record = record->getDefinition();
   if (record == nullptr || !checked_records_.insert(record).second) return;
   for (const clang::Decl* inner : record->decls()) {
-    if (llvm::isa<clang::EnumDecl>(inner)) Declare(inner);
+    if (const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(inner)) CheckEnumerators(enumeration);
   }
   for (const clang::FieldDecl* field : record->fields()) {
     if (const auto* inner = field->getType()->getAs<clang::RecordType>()) CheckMembers(inner->getDecl());
@@ -81,6 +82,21 @@ void Converter::CheckMembers(const clang::RecordDecl* record) {
     const bool fits = type->isSpecificBuiltinType(clang::BuiltinType::Int) ||
                       type->isSpecificBuiltinType(clang::BuiltinType::UInt) || type->isAnyCharacterType();
     if (!fits) findings().Report(range, diag::HncIncompatible, "a bit-field is int, unsigned or char");
+  }
+}
+
+void DeclaredTypeChecker::CheckEnumerators(const clang::EnumDecl* enumeration) {
+  for (const clang::EnumConstantDecl* constant : enumeration->enumerators()) {
+    const int64_t value = constant->getInitVal().getExtValue();
+    if (value < -32768 || value > 32767) {
+      findings().Report(NameOf(constant), diag::HncConstantTooLarge, constant->getName());
+      break;  // those after it follow
+    }
+    const clang::Expr* init = constant->getInitExpr();
+    if (init == nullptr || constant->getName().starts_with(kProductPrefix)) continue;
+    if (folder_.HasWildShift(expressions_.Convert(init))) {
+      findings().Report(NameOf(constant), diag::HncConstantRequired, "with a shift count inside the width");
+    }
   }
 }
 

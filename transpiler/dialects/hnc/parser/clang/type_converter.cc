@@ -1,19 +1,18 @@
-// Types and layouts (specification 5.6).
+#include "transpiler/dialects/hnc/parser/clang/type_converter.h"
+
 #include <clang/AST/RecordLayout.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/dialects/hnc/parser/clang/converter.h"
-
 namespace plcxx::hnc {
 
-std::string Converter::TextOf(clang::QualType type) const {
+std::string TypeConverter::TextOf(clang::QualType type) const {
   return type.getUnqualifiedType().getAsString(context_.getPrintingPolicy());
 }
 
 /// Equal descriptions are one type.
-TypeId Converter::Add(Type type) {
+TypeId TypeConverter::Add(Type type) {
   std::string key = std::to_string(static_cast<int>(type.kind));
   for (const uint32_t part :
        {uint32_t{type.bits}, uint32_t{type.is_signed}, type.element.index, type.count, type.record.index}) {
@@ -26,7 +25,7 @@ TypeId Converter::Add(Type type) {
   return id;
 }
 
-TypeId Converter::Integer(unsigned bits, bool is_signed) {
+TypeId TypeConverter::Integer(unsigned bits, bool is_signed) {
   const char* const text = bits == 8    ? (is_signed ? "signed char" : "unsigned char")
                            : bits == 16 ? (is_signed ? "int" : "unsigned int")
                                         : (is_signed ? "long" : "unsigned long");
@@ -40,7 +39,7 @@ TypeId Converter::Integer(unsigned bits, bool is_signed) {
               .text = text});
 }
 
-TypeId Converter::TypeOf(clang::QualType qualified) {
+TypeId TypeConverter::TypeOf(clang::QualType qualified) {
   const clang::QualType type = qualified.getCanonicalType().getUnqualifiedType();
   const auto known = known_types_.find(type.getAsOpaquePtr());
   if (known != known_types_.end()) return known->second;
@@ -49,7 +48,7 @@ TypeId Converter::TypeOf(clang::QualType qualified) {
   return id;
 }
 
-TypeId Converter::Describe(clang::QualType type) {
+TypeId TypeConverter::Describe(clang::QualType type) {
   constexpr unsigned kWidest = 32;  // wider ones have been refused
   Type result;
   result.text = TextOf(type);
@@ -91,7 +90,7 @@ TypeId Converter::Describe(clang::QualType type) {
   return Add(std::move(result));
 }
 
-RecordId Converter::RecordOf(const clang::RecordDecl* any) {
+RecordId TypeConverter::RecordOf(const clang::RecordDecl* any) {
   const clang::RecordDecl* definition = any->getDefinition();
   const clang::RecordDecl* record =
       definition != nullptr ? definition : llvm::cast<clang::RecordDecl>(any->getCanonicalDecl());
@@ -113,7 +112,7 @@ RecordId Converter::RecordOf(const clang::RecordDecl* any) {
   return id;
 }
 
-void Converter::FillMembers(const clang::RecordDecl* record, RecordId id) {
+void TypeConverter::FillMembers(const clang::RecordDecl* record, RecordId id) {
   const clang::ASTRecordLayout& layout = context_.getASTRecordLayout(record);
   std::vector<Member> members;
   uint64_t unit_begin = 0, unit_bits = 0;  // of the bit-field before; 0 bits: none, or closed

@@ -1,8 +1,7 @@
-// Constant expressions by the rules of 6.2, which are not Clang's: shift counts outside the width, wrapping.
+#include "transpiler/dialects/hnc/parser/clang/constant_folder.h"
+
 #include <cmath>
 #include <limits>
-
-#include "transpiler/dialects/hnc/parser/clang/converter.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -125,7 +124,7 @@ std::optional<int64_t> Exact(BinaryOp op, int64_t a, int64_t b) {
 
 }  // namespace
 
-std::optional<Constant> Converter::Converted(const Constant& value, const Type& from, const Type& to) const {
+std::optional<Constant> Converted(const Constant& value, const Type& from, const Type& to) {
   if (to.kind == TypeKind::kReal) {
     const double real = from.kind == TypeKind::kReal ? value.real : static_cast<double>(value.integer);
     return OfReal(to.bits == 32 ? static_cast<double>(static_cast<float>(real)) : real);
@@ -137,7 +136,7 @@ std::optional<Constant> Converter::Converted(const Constant& value, const Type& 
   return OfInteger(Wrapped(static_cast<int64_t>(value.real), to));
 }
 
-std::optional<Constant> Converter::FoldUnary(const Expr& expr) const {
+std::optional<Constant> ConstantFolder::FoldUnary(const Expr& expr) const {
   const Expr& a = unit_.expressions[expr.a];
   if (!a.constant) return std::nullopt;
   const Type& type = unit_.types[expr.type];
@@ -150,7 +149,7 @@ std::optional<Constant> Converter::FoldUnary(const Expr& expr) const {
   return OfInteger(expr.unary == UnaryOp::kComplement ? Wrapped(~value, type) : value);
 }
 
-std::optional<Constant> Converter::FoldBinary(const Expr& expr) {
+std::optional<Constant> ConstantFolder::FoldBinary(const Expr& expr) {
   const Expr& left = unit_.expressions[expr.a];
   const Expr& right = unit_.expressions[expr.b];
   if (!left.constant || !right.constant) return std::nullopt;
@@ -176,7 +175,7 @@ std::optional<Constant> Converter::FoldBinary(const Expr& expr) {
   return OfInteger(wrapped);
 }
 
-void Converter::Fold(Expr& expr) {
+void ConstantFolder::Fold(Expr& expr) {
   const auto constant = [&](ExprId id) { return unit_.expressions[id].constant; };
   const auto type = [&](ExprId id) -> const Type& { return unit_.types[unit_.expressions[id].type]; };
   switch (expr.kind) {
@@ -227,8 +226,7 @@ void Converter::Fold(Expr& expr) {
   }
 }
 
-/// Where C itself needs the value, a shift count outside the width has none (D33).
-bool Converter::HasWildShift(ExprId id) const {
+bool ConstantFolder::HasWildShift(ExprId id) const {
   if (!id.valid()) return false;
   const Expr& expr = unit_.expressions[id];
   const bool shifts =
