@@ -1,16 +1,12 @@
-// Executor: pointers as numbers, as machine code has them.
-//
-// An object's address is a variable that nothing is known of: what is proved is so wherever it is. A number is a
-// pointer again when it is such a variable plus some offset; one that is put together otherwise is refused.
+#include "transpiler/prove/verify/llvm_ir/addresses.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "transpiler/prove/verify/llvm_ir/executor.h"
-
 namespace plcxx::prove::verify::llvm_ir {
 
-terms::TermId Executor::AddressOf(uint32_t object, uint8_t width) {
+terms::TermId Addresses::AddressOf(uint32_t object, uint8_t width) {
   if (object == 0) return terms_.Const(0, width);
   terms::TermId& address = addresses_[object];
   if (!address.valid()) {
@@ -20,7 +16,7 @@ terms::TermId Executor::AddressOf(uint32_t object, uint8_t width) {
   return address;
 }
 
-terms::TermId Executor::NumberOf(const CodeValue& pointer, uint8_t width) {
+terms::TermId Addresses::NumberOf(const CodeValue& pointer, uint8_t width) {
   terms::TermId number;
   for (auto target = pointer.targets.rbegin(); target != pointer.targets.rend(); ++target) {
     const terms::TermId here = terms_.Add(AddressOf(target->object, width), terms_.Resize(target->offset, width));
@@ -30,7 +26,7 @@ terms::TermId Executor::NumberOf(const CodeValue& pointer, uint8_t width) {
 }
 
 /// Targets of the number, with offsets of its width; none: it is no address.
-std::vector<Target> Executor::TargetsOf(terms::TermId number) {
+std::vector<Target> Addresses::TargetsOf(terms::TermId number) {
   const auto known = targets_.find(number.index);
   if (known != targets_.end()) return known->second;
   const terms::Term term = terms_[number];
@@ -51,29 +47,29 @@ std::vector<Target> Executor::TargetsOf(terms::TermId number) {
     const CodeValue then{.targets = TargetsOf(terms::TermId(term.b))};
     const CodeValue otherwise{.targets = TargetsOf(terms::TermId(term.c))};
     if (!then.targets.empty() && !otherwise.targets.empty())
-      targets = Choose(terms::TermId(term.a), then, otherwise).targets;
+      targets = values_.Choose(terms::TermId(term.a), then, otherwise).targets;
   }
   targets_.emplace(number.index, targets);
   return targets;
 }
 
-CodeValue Executor::PointerAt(terms::TermId number) {
+CodeValue Addresses::PointerAt(terms::TermId number) {
   CodeValue pointer{.targets = TargetsOf(number)};
   if (pointer.targets.empty()) {
     Refuse("an address that is no object's with an offset");
-    return PointerTo(0);
+    return values_.PointerTo(0);
   }
   // What wraps in the target's width is outside of the object in 64 bits.
   for (Target& target : pointer.targets) target.offset = terms_.Zext(target.offset, 64);
   return pointer;
 }
 
-void Executor::ForgetBelow(terms::TermId number) {
+void Addresses::ForgetBelow(terms::TermId number) {
   const std::vector<Target> targets = TargetsOf(number);
   if (targets.empty()) Refuse("a stack pointer that is no object's address with an offset");
   for (const Target& target : targets) {
     const Object& object = objects_[target.object];
-    if (object.kind != ObjectKind::kLocal || object.first_slot < initial_.size()) continue;
+    if (!IsOwnLocal(object)) continue;
     const uint64_t end = std::min(ranges_.Of(target.offset).high, object.bytes);
     for (uint64_t at = 0; at < end; ++at) {
       const auto slot = static_cast<uint32_t>(object.first_slot + at);

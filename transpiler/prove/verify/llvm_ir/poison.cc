@@ -1,9 +1,5 @@
-// Executor: what an instruction's flags promise, and what becomes of a value for which the promise is broken.
-//
-// LLVM calls such a value poison. It may be computed and thrown away; it must not decide a branch, be written, be an
-// address, or be given to somebody else. A value carries the condition under which it is poison from where it is made
-// to where it is used, and there the condition must never hold.
-#include <llvm/IR/ConstantRange.h>
+#include "transpiler/prove/verify/llvm_ir/poison.h"
+
 #include <llvm/IR/Metadata.h>
 #include <llvm/IR/Operator.h>
 
@@ -11,7 +7,6 @@
 #include <bit>
 #include <cmath>
 
-#include "transpiler/prove/verify/llvm_ir/executor.h"
 #include "transpiler/support/low_bits.h"
 #include "transpiler/symbolic/terms/floats.h"
 
@@ -24,30 +19,21 @@ bool IsSignedDivision(const llvm::BinaryOperator& inst) { return inst.getOpcode(
 
 }  // namespace
 
-terms::TermId Executor::Either(terms::TermId a, terms::TermId b) {
-  if (!a.valid() || !b.valid()) return a.valid() ? a : b;
-  return terms_.Or(a, b);
-}
-
-terms::TermId Executor::OrNone(terms::TermId condition) {
-  return condition.valid() && terms_.IsFalse(condition) ? terms::TermId() : condition;
-}
-
-terms::TermId Executor::SignOf(terms::TermId a) {
+terms::TermId Poison::SignOf(terms::TermId a) {
   return terms_.Extract(a, static_cast<uint8_t>(terms_.Width(a) - 1), 1);
 }
 
-terms::TermId Executor::PoisonOfOperands(const llvm::User& inst) {
+terms::TermId Poison::OfOperands(const llvm::User& inst) {
   terms::TermId poison;
   for (const llvm::Use& operand : inst.operands()) {
     if (!llvm::isa<llvm::BasicBlock>(operand) && !llvm::isa<llvm::Function>(operand))
-      poison = Either(poison, ValueOf(operand).poison);
+      poison = Either(poison, values_.ValueOf(operand).poison);
   }
   return poison;
 }
 
 /// a * b does not fit into `width` bits.
-terms::TermId Executor::ProductOverflows(terms::TermId a, terms::TermId b, bool has_sign) {
+terms::TermId Poison::ProductOverflows(terms::TermId a, terms::TermId b, bool has_sign) {
   const uint8_t width = terms_.Width(a);
   if (2 * width <= 64) {
     const auto wide = static_cast<uint8_t>(2 * width);
@@ -79,18 +65,18 @@ terms::TermId Executor::ProductOverflows(terms::TermId a, terms::TermId b, bool 
   return overflow;
 }
 
-terms::TermId Executor::SumOverflows(terms::TermId a, terms::TermId b, terms::TermId sum, bool has_sign) {
+terms::TermId Poison::SumOverflows(terms::TermId a, terms::TermId b, terms::TermId sum, bool has_sign) {
   if (!has_sign) return terms_.Ult(sum, a);
   return terms_.And(terms_.Xor(SignOf(a), SignOf(sum)), terms_.Xor(SignOf(b), SignOf(sum)));
 }
 
-terms::TermId Executor::DifferenceOverflows(terms::TermId a, terms::TermId b, terms::TermId difference, bool has_sign) {
+terms::TermId Poison::DifferenceOverflows(terms::TermId a, terms::TermId b, terms::TermId difference, bool has_sign) {
   if (!has_sign) return terms_.Ult(a, b);
   return terms_.And(terms_.Xor(SignOf(a), SignOf(b)), terms_.Xor(SignOf(a), SignOf(difference)));
 }
 
-terms::TermId Executor::PoisonOfBinary(const llvm::BinaryOperator& inst, terms::TermId result) {
-  const terms::TermId a = TermOf(inst.getOperand(0)), b = TermOf(inst.getOperand(1));
+terms::TermId Poison::OfBinary(const llvm::BinaryOperator& inst, terms::TermId result) {
+  const terms::TermId a = values_.TermOf(inst.getOperand(0)), b = values_.TermOf(inst.getOperand(1));
   const uint8_t width = terms_.Width(a);
   terms::TermId poison;
   const auto add = [&](terms::TermId condition) { poison = Either(poison, OrNone(condition)); };
@@ -141,7 +127,7 @@ terms::TermId Executor::PoisonOfBinary(const llvm::BinaryOperator& inst, terms::
 }
 
 /// Numbers that a conversion to an integer of `width` bits has no result for; NaN, too.
-terms::TermId Executor::IsBeyondInteger(terms::TermId number, uint8_t width, bool has_sign) {
+terms::TermId Poison::IsBeyondInteger(terms::TermId number, uint8_t width, bool has_sign) {
   const uint8_t format = terms_.Width(number);
   const int digits = format == 32 ? 24 : 53;
   const double above = std::ldexp(1.0, has_sign ? width - 1 : width);
@@ -155,8 +141,8 @@ terms::TermId Executor::IsBeyondInteger(terms::TermId number, uint8_t width, boo
   return terms_.Not(terms_.And(below_top, above_bottom));
 }
 
-terms::TermId Executor::PoisonOfConversion(const llvm::CastInst& inst, terms::TermId result) {
-  const terms::TermId a = TermOf(inst.getOperand(0));
+terms::TermId Poison::OfConversion(const llvm::CastInst& inst, terms::TermId result) {
+  const terms::TermId a = values_.TermOf(inst.getOperand(0));
   const uint8_t from = terms_.Width(a), to = terms_.Width(result);
   switch (inst.getOpcode()) {
     case llvm::Instruction::ZExt:
@@ -181,7 +167,19 @@ terms::TermId Executor::PoisonOfConversion(const llvm::CastInst& inst, terms::Te
   }
 }
 
-terms::TermId Executor::IsOutOf(const llvm::ConstantRange& range, terms::TermId value) {
+/// The operand of which LLVM leaves the result open, where it does.
+terms::TermId Poison::OfIntrinsic(const llvm::IntrinsicInst& call) {
+  const bool may_be_open = call.getIntrinsicID() == llvm::Intrinsic::abs ||
+                           call.getIntrinsicID() == llvm::Intrinsic::ctlz ||
+                           call.getIntrinsicID() == llvm::Intrinsic::cttz;
+  if (!may_be_open || !llvm::cast<llvm::ConstantInt>(call.getArgOperand(1))->isOne()) return {};
+  const terms::TermId a = values_.TermOf(call.getArgOperand(0));
+  const uint8_t width = terms_.Width(a);
+  const bool is_abs = call.getIntrinsicID() == llvm::Intrinsic::abs;
+  return OrNone(terms_.Eq(a, terms_.Const(is_abs ? uint64_t{1} << (width - 1) : 0, width)));
+}
+
+terms::TermId Poison::IsOutOf(const llvm::ConstantRange& range, terms::TermId value) {
   if (range.isFullSet() || !value.valid()) return {};
   const uint8_t width = terms_.Width(value);
   if (range.isEmptySet()) return terms_.Bit(true);
@@ -191,12 +189,12 @@ terms::TermId Executor::IsOutOf(const llvm::ConstantRange& range, terms::TermId 
   return OrNone(terms_.Not(terms_.Ult(above, terms_.Const(count, width))));
 }
 
-terms::TermId Executor::PoisonOfRange(const llvm::Instruction& inst, terms::TermId value) {
+terms::TermId Poison::OfRange(const llvm::Instruction& inst, terms::TermId value) {
   const llvm::MDNode* node = inst.getMetadata(llvm::LLVMContext::MD_range);
   return node == nullptr ? terms::TermId() : IsOutOf(llvm::getConstantRangeFromMetadata(*node), value);
 }
 
-terms::TermId Executor::PoisonOfIndex(const llvm::GetElementPtrInst& inst, terms::TermId index, uint64_t scale) {
+terms::TermId Poison::OfIndex(const llvm::GetElementPtrInst& inst, terms::TermId index, uint64_t scale) {
   // Up to here no sum of a few products can wrap at 64 bits.
   constexpr uint64_t kFar = uint64_t{1} << 56;
   const ValueRange range = ranges_.Of(index);
@@ -211,8 +209,7 @@ terms::TermId Executor::PoisonOfIndex(const llvm::GetElementPtrInst& inst, terms
   return Either(poison, OrNone(terms_.Or(above, below)));
 }
 
-terms::TermId Executor::PoisonOfPointer(const llvm::GetElementPtrInst& inst, const CodeValue& base,
-                                        const CodeValue& pointer) {
+terms::TermId Poison::OfPointer(const llvm::GetElementPtrInst& inst, const CodeValue& base, const CodeValue& pointer) {
   if (!inst.isInBounds()) return {};
   terms::TermId poison;
   // Both the address that it starts from and the one that it comes to are in the object, or just after it.
@@ -227,30 +224,12 @@ terms::TermId Executor::PoisonOfPointer(const llvm::GetElementPtrInst& inst, con
   return poison;
 }
 
-void Executor::RequireValue(const CodeValue& value, const char* text) {
+void Poison::RequireValue(const CodeValue& value, const char* text) {
   if (value.poison.valid()) Require(value.poison, text);
   for (const CodeValue& part : value.parts) RequireValue(part, text);
 }
 
-void Executor::RequireAligned(const std::vector<Target>& targets, uint64_t align) {
-  if (align <= 1) return;
-  const auto low_bits = static_cast<uint8_t>(std::countr_zero(align));
-  for (const Target& target : targets) {
-    const Object& object = objects_[target.object];
-    if (object.kind == ObjectKind::kHost || object.kind == ObjectKind::kNull) continue;
-    constexpr const char* kText = "an access at an address that is not aligned";
-    if (object.align % align != 0) {
-      Require(target.when, kText);
-      continue;
-    }
-    const ValueRange range = ranges_.Of(target.offset);
-    if (range.low % align == 0 && range.step % align == 0) continue;
-    const terms::TermId rest = terms_.Extract(target.offset, 0, low_bits);
-    Require(terms_.And(target.when, terms_.Ne(rest, terms_.Const(0, low_bits))), kText);
-  }
-}
-
-void Executor::RequireArgument(const llvm::CallInst& call, const llvm::Argument& parameter, const CodeValue& value) {
+void Poison::RequireArgument(const llvm::CallInst& call, const llvm::Argument& parameter, const CodeValue& value) {
   constexpr const char* kText = "an argument that C++ leaves undefined";
   // For a parameter that the function does not use the optimizer gives anything, and takes the attribute away.
   const unsigned number = parameter.getArgNo();
@@ -260,7 +239,7 @@ void Executor::RequireArgument(const llvm::CallInst& call, const llvm::Argument&
     const terms::TermId outside = IsOutOf(*range, value.term);
     if (outside.valid()) Require(outside, kText);
   }
-  if (const llvm::MaybeAlign align = parameter.getParamAlign()) RequireAligned(value.targets, align->value());
+  if (const llvm::MaybeAlign align = parameter.getParamAlign()) memory_.RequireAligned(value.targets, align->value());
 }
 
 }  // namespace plcxx::prove::verify::llvm_ir

@@ -1,9 +1,8 @@
-// Executor: loops, unrolled, or by one round that stands for each.
+#include "transpiler/prove/verify/llvm_ir/loop_execution.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
-
-#include "transpiler/prove/verify/llvm_ir/executor.h"
 
 namespace plcxx::prove::verify::llvm_ir {
 namespace {
@@ -12,7 +11,8 @@ constexpr size_t kMostHeads = 16;  // of one loop that are looked at
 
 }  // namespace
 
-void Executor::RunLoop(const FlowLevel& level, Passage entry, terms::TermId context, std::vector<Passage>& leaving) {
+void LoopExecution::RunLoop(const FlowLevel& level, Passage entry, terms::TermId context,
+                            std::vector<Passage>& leaving) {
   if (run_.loops != CodeRun::Loops::kAtHeads || sampling_ != 0) {
     UnrollLoop(level, std::move(entry), context, leaving, nullptr);
     return;
@@ -37,8 +37,8 @@ void Executor::RunLoop(const FlowLevel& level, Passage entry, terms::TermId cont
   RunByHead(level, entry, context, state, leaving);
 }
 
-std::optional<Passage> Executor::JoinRepeats(const llvm::BasicBlock* head, std::vector<Passage> passages,
-                                             terms::TermId active, std::vector<Passage>& leaving) {
+std::optional<Passage> LoopExecution::JoinRepeats(const llvm::BasicBlock* head, std::vector<Passage> passages,
+                                                  terms::TermId active, std::vector<Passage>& leaving) {
   std::vector<Passage> again;
   std::vector<terms::TermId> conditions;
   terms::TermId any = terms_.Bit(false);
@@ -53,13 +53,13 @@ std::optional<Passage> Executor::JoinRepeats(const llvm::BasicBlock* head, std::
     if (!terms_.IsFalse(passage.when)) leaving.push_back(std::move(passage));
   }
   if (again.empty()) return std::nullopt;
-  Passage next = Join(std::move(again), conditions);
+  Passage next = flow_.Join(std::move(again), conditions);
   next.when = any;
   return next;
 }
 
-void Executor::UnrollLoop(const FlowLevel& level, Passage entry, terms::TermId context, std::vector<Passage>& leaving,
-                          LoopState* state) {
+void LoopExecution::UnrollLoop(const FlowLevel& level, Passage entry, terms::TermId context,
+                               std::vector<Passage>& leaving, LoopState* state) {
   const llvm::BasicBlock* head = level.nodes.front().block;
   const bool limited = run_.loops != CodeRun::Loops::kUnrolled;
   terms::TermId active = terms_.Bit(true);
@@ -79,7 +79,7 @@ void Executor::UnrollLoop(const FlowLevel& level, Passage entry, terms::TermId c
     if (state != nullptr && state->heads.size() < kMostHeads)
       state->heads.emplace_back(terms_.And(when, terms_.Not(outcome_.left_out)), next);
     std::vector<Passage> passages;
-    RunLevel(level, std::move(next), when, passages);
+    flow_.RunLevel(level, std::move(next), when, passages);
     if (refused()) return;
     std::optional<Passage> again = JoinRepeats(head, std::move(passages), active, leaving);
     if (!again) return;
@@ -90,7 +90,7 @@ void Executor::UnrollLoop(const FlowLevel& level, Passage entry, terms::TermId c
   }
 }
 
-bool Executor::FindItems(const llvm::BasicBlock& head, LoopState& state) {
+bool LoopExecution::FindItems(const llvm::BasicBlock& head, LoopState& state) {
   for (const llvm::PHINode& phi : head.phis()) {
     if (!IsSupported(*phi.getType()) || phi.getType()->isStructTy()) {
       Refuse("a loop that keeps a value of a type that is too wide");
@@ -103,10 +103,10 @@ bool Executor::FindItems(const llvm::BasicBlock& head, LoopState& state) {
   return true;
 }
 
-void Executor::AddSlots(const Slots& a, const Slots& b, LoopState& state) {
+void LoopExecution::AddSlots(const Slots& a, const Slots& b, LoopState& state) {
   Slots::ForEachDifference(a, b, [&](uint32_t slot) {
     // Bytes of locals that are gone have no value any more.
-    if (slot >= next_slot_ || ReadSlot(a, slot) == ReadSlot(b, slot)) return;
+    if (slot >= now_.next_slot || memory_.ReadSlot(a, slot) == memory_.ReadSlot(b, slot)) return;
     const bool known = std::any_of(state.items.begin(), state.items.end(), [slot](const CodeLoop::Item& item) {
       return item.name.empty() && item.slot == slot;
     });
@@ -114,7 +114,7 @@ void Executor::AddSlots(const Slots& a, const Slots& b, LoopState& state) {
   });
 }
 
-std::vector<terms::TermId> Executor::ItemsOf(const Passage& passage, const LoopState& state) {
+std::vector<terms::TermId> LoopExecution::ItemsOf(const Passage& passage, const LoopState& state) {
   std::vector<terms::TermId> values;
   for (size_t i = 0; i < state.phis.size(); ++i) {
     const CodeValue& value = passage.values[i];
@@ -130,26 +130,40 @@ std::vector<terms::TermId> Executor::ItemsOf(const Passage& passage, const LoopS
     values.push_back(value.targets.front().offset);
   }
   for (size_t i = state.phis.size(); i < state.items.size(); ++i)
-    values.push_back(ReadSlot(passage.slots, state.items[i].slot));
+    values.push_back(memory_.ReadSlot(passage.slots, state.items[i].slot));
   return values;
 }
 
-void Executor::RequireAtHead(const LoopState& state, const Passage& passage, terms::TermId when) {
+void LoopExecution::RequireAtHead(const LoopState& state, const Passage& passage, terms::TermId when) {
   const terms::TermId context = std::exchange(context_, when);
   for (size_t i = 0; i < state.phis.size(); ++i)
-    RequireValue(passage.values[i], "a number that a loop keeps and C++ leaves undefined");
+    poison_.RequireValue(passage.values[i], "a number that a loop keeps and C++ leaves undefined");
   context_ = context;
 }
 
-void Executor::RunByHead(const FlowLevel& level, const Passage& entry, terms::TermId context, LoopState& state,
-                         std::vector<Passage>& leaving) {
+Passage LoopExecution::StartOf(const Passage& entry, const LoopState& state, const std::vector<terms::TermId>& values) {
+  Passage start = entry;
+  for (size_t i = 0; i < state.items.size(); ++i) {
+    if (i >= state.phis.size()) {
+      start.slots.Set(state.items[i].slot, values[i]);
+    } else if (state.phis[i]->getType()->isPointerTy()) {
+      start.values[i].targets = {{terms_.Bit(true), state.objects[i], values[i]}};
+    } else {
+      start.values[i].term = values[i];
+    }
+  }
+  return start;
+}
+
+void LoopExecution::RunByHead(const FlowLevel& level, const Passage& entry, terms::TermId context, LoopState& state,
+                              std::vector<Passage>& leaving) {
   const llvm::BasicBlock* head = level.nodes.front().block;
   for (size_t i = 0; i < state.phis.size(); ++i) {
     if (state.phis[i]->getType()->isPointerTy() && !entry.values[i].targets.empty())
       state.objects[i] = entry.values[i].targets.front().object;
   }
   for (const auto& [when, passage] : state.heads) AddSlots(entry.slots, passage.slots, state);
-  const std::string name = flows_.NameOf(*head->getParent()) + ", " + head->getName().str();
+  const std::string name = now_.flows.NameOf(*head->getParent()) + ", " + head->getName().str();
   if (state.items.empty()) {
     Refuse("a loop that changes nothing, and so may never end: " + name);
     return;
@@ -166,18 +180,9 @@ void Executor::RunByHead(const FlowLevel& level, const Passage& entry, terms::Te
       Refuse("a loop of which nobody knows how often it goes round: " + name);
       return;
     }
-    Passage start = entry;
-    for (size_t i = 0; i < state.items.size(); ++i) {
-      if (i >= state.phis.size()) {
-        start.slots.Set(state.items[i].slot, values[i]);
-      } else if (state.phis[i]->getType()->isPointerTy()) {
-        start.values[i].targets = {{terms_.Bit(true), state.objects[i], values[i]}};
-      } else {
-        start.values[i].term = values[i];
-      }
-    }
+    const Passage start = StartOf(entry, state, values);
     std::vector<Passage> passages, ways;
-    RunLevel(level, start, context, passages);
+    flow_.RunLevel(level, start, context, passages);
     if (refused()) return;
     const std::optional<Passage> next = JoinRepeats(head, std::move(passages), terms_.Bit(true), ways);
     const size_t items = state.items.size();

@@ -1,10 +1,10 @@
-// Executor: LLVM's own functions, and the host's.
+#include "transpiler/prove/verify/llvm_ir/intrinsics.h"
+
 #include <llvm/IR/Intrinsics.h>
 
 #include <string>
 #include <utility>
 
-#include "transpiler/prove/verify/llvm_ir/executor.h"
 #include "transpiler/symbolic/terms/floats.h"
 
 namespace plcxx::prove::verify::llvm_ir {
@@ -14,82 +14,28 @@ constexpr uint64_t kLongestTransfer = 1 << 16;
 
 }  // namespace
 
-/// The memory as the host gets it.
-class HostMemory : public CodeMemory {
- public:
-  explicit HostMemory(Executor& executor) : executor_(executor) {}
-  terms::TermId Read(uint32_t slot) override { return executor_.ReadSlot(slot); }
-  void Write(uint32_t slot, terms::TermId value) override { executor_.slots_.Set(slot, value); }
-  terms::TermId When() const override { return executor_.context_; }
-  void Require(terms::TermId never, const char* text) override { executor_.Require(never, text); }
-
- private:
-  Executor& executor_;
-};
-
-CodeValue Executor::ExecuteHostCall(const llvm::CallInst& call, const llvm::Function& callee, const std::string& name) {
-  const llvm::Type& type = *call.getType();
-  std::vector<HostArgument> arguments;
-  for (const llvm::Use& operand : call.args()) {
-    const CodeValue value = ValueOf(operand);
-    const unsigned number = call.getArgOperandNo(&operand);
-    const std::string_view parameter = number < callee.arg_size() ? callee.getArg(number)->getName() : "";
-    if (number < callee.arg_size()) RequireArgument(call, *callee.getArg(number), value);
-    if (value.term.valid()) {
-      arguments.push_back({.kind = HostArgument::Kind::kValue, .value = value.term, .name = parameter});
-      continue;
-    }
-    const bool known = value.targets.size() == 1 && terms_.IsConst(value.targets.front().offset);
-    const Object* object = known ? &objects_[value.targets.front().object] : nullptr;
-    const uint64_t offset = known ? terms_.Value(value.targets.front().offset) : 0;
-    if (object != nullptr && object->kind == ObjectKind::kHost && offset == 0) {
-      arguments.push_back({.kind = HostArgument::Kind::kHost, .name = parameter});
-    } else if (object != nullptr && (object->kind == ObjectKind::kState || object->kind == ObjectKind::kLocal) &&
-               offset < object->bytes) {
-      arguments.push_back({.kind = HostArgument::Kind::kMemory,
-                           .slot = object->first_slot + static_cast<uint32_t>(offset),
-                           .name = parameter});
-    } else {
-      arguments.push_back({.kind = HostArgument::Kind::kUnknownPointer, .name = parameter});
-    }
-  }
-  const uint8_t width = type.isVoidTy() ? uint8_t{0} : WidthOf(type);
-  if (type.isPointerTy() || type.isStructTy()) Refuse("a call of " + name + ", which returns no number");
-  if (refused()) return type.isVoidTy() ? CodeValue{} : AnyOf(type);
-  HostMemory memory(*this);
-  std::string refusal;
-  const terms::TermId result =
-      environment_.CallHost(memory, {.function = name, .arguments = arguments, .result_width = width}, refusal);
-  if (!refusal.empty()) Refuse(std::move(refusal));
-  if (type.isVoidTy()) return {};
-  CodeValue value{.term = result.valid() && terms_.Width(result) == width ? result : Undefined(width)};
-  value.poison = PoisonOfRange(call, value.term);
-  if (const auto range = call.getRange()) value.poison = Either(value.poison, IsOutOf(*range, value.term));
-  return value;
-}
-
-CodeValue Executor::ExecuteIntrinsic(const llvm::IntrinsicInst& call) {
+CodeValue Intrinsics::Execute(const llvm::IntrinsicInst& call) {
   switch (call.getIntrinsicID()) {
     case llvm::Intrinsic::lifetime_start:
     case llvm::Intrinsic::lifetime_end:
-      ForgetLocals(ValueOf(call.getArgOperand(1)).targets);
+      memory_.ForgetLocals(values_.ValueOf(call.getArgOperand(1)).targets);
       return {};
     case llvm::Intrinsic::experimental_noalias_scope_decl:
       return {};
     case llvm::Intrinsic::assume:
-      ExecuteAssume(llvm::cast<llvm::AssumeInst>(call));
+      Assume(llvm::cast<llvm::AssumeInst>(call));
       return {};
     case llvm::Intrinsic::expect:
-      return ValueOf(call.getArgOperand(0));
+      return values_.ValueOf(call.getArgOperand(0));
     case llvm::Intrinsic::memcpy:
     case llvm::Intrinsic::memmove:
     case llvm::Intrinsic::memset:
-      ExecuteMemoryTransfer(llvm::cast<llvm::MemIntrinsic>(call));
+      Transfer(llvm::cast<llvm::MemIntrinsic>(call));
       return {};
     default:
       break;
   }
-  const terms::TermId poison = PoisonOfOperands(call);
+  const terms::TermId poison = poison_.OfOperands(call);
   if (const auto* overflow = llvm::dyn_cast<llvm::WithOverflowInst>(&call)) {
     CodeValue value = WithOverflow(*overflow);
     value.poison = poison;
@@ -97,76 +43,63 @@ CodeValue Executor::ExecuteIntrinsic(const llvm::IntrinsicInst& call) {
   }
   if (const auto* saturating = llvm::dyn_cast<llvm::SaturatingInst>(&call))
     return {.term = Saturated(*saturating), .poison = poison};
-  if (call.getType()->isFloatTy() || call.getType()->isDoubleTy())
-    return {.term = FloatIntrinsic(call), .poison = poison};
+  if (call.getType()->isFloatTy() || call.getType()->isDoubleTy()) return {.term = OfFloat(call), .poison = poison};
   if (call.getType()->isIntegerTy()) {
-    CodeValue value{.term = IntegerIntrinsic(call), .poison = poison};
-    value.poison = Either(value.poison, PoisonOfIntrinsic(call));
-    value.poison = Either(value.poison, PoisonOfRange(call, value.term));
-    if (const auto range = call.getRange()) value.poison = Either(value.poison, IsOutOf(*range, value.term));
+    CodeValue value{.term = OfInteger(call), .poison = poison};
+    value.poison = Either(value.poison, poison_.OfIntrinsic(call));
+    value.poison = Either(value.poison, poison_.OfRange(call, value.term));
+    if (const auto range = call.getRange()) value.poison = Either(value.poison, poison_.IsOutOf(*range, value.term));
     return value;
   }
   Refuse("function '" + call.getCalledFunction()->getName().str() + "'");
-  return call.getType()->isVoidTy() ? CodeValue{} : AnyOf(*call.getType());
+  return values_.AnyResult(*call.getType());
 }
 
-void Executor::ExecuteAssume(const llvm::AssumeInst& assumption) {
+void Intrinsics::Assume(const llvm::AssumeInst& assumption) {
   constexpr const char* kText = "an assumption of the compiler that does not hold";
-  const CodeValue condition = ValueOf(assumption.getArgOperand(0));
+  const CodeValue condition = values_.ValueOf(assumption.getArgOperand(0));
   Require(terms_.Not(condition.term), kText);
-  RequireValue(condition, kText);
+  poison_.RequireValue(condition, kText);
   if (assumption.hasOperandBundles()) Refuse("an assumption about a pointer");
 }
 
-/// The operand of which LLVM leaves the result open, where it does.
-terms::TermId Executor::PoisonOfIntrinsic(const llvm::IntrinsicInst& call) {
-  const bool may_be_open = call.getIntrinsicID() == llvm::Intrinsic::abs ||
-                           call.getIntrinsicID() == llvm::Intrinsic::ctlz ||
-                           call.getIntrinsicID() == llvm::Intrinsic::cttz;
-  if (!may_be_open || !llvm::cast<llvm::ConstantInt>(call.getArgOperand(1))->isOne()) return {};
-  const terms::TermId a = TermOf(call.getArgOperand(0));
-  const uint8_t width = terms_.Width(a);
-  const bool is_abs = call.getIntrinsicID() == llvm::Intrinsic::abs;
-  return OrNone(terms_.Eq(a, terms_.Const(is_abs ? uint64_t{1} << (width - 1) : 0, width)));
-}
-
-void Executor::ExecuteMemoryTransfer(const llvm::MemIntrinsic& call) {
-  const terms::TermId length = TermOf(call.getLength());
+void Intrinsics::Transfer(const llvm::MemIntrinsic& call) {
+  const terms::TermId length = values_.TermOf(call.getLength());
   const std::string name = call.getCalledFunction()->getName().str();
   if (!terms_.IsConst(length) || terms_.Value(length) > kLongestTransfer || call.isVolatile()) {
     Refuse("function '" + name + "' of a length that is not known, too great, or volatile");
     return;
   }
   const uint64_t bytes = terms_.Value(length);
-  const CodeValue destination = ValueOf(call.getRawDest());
-  RequireValue(destination, kAddressUndefined);
+  const CodeValue destination = values_.ValueOf(call.getRawDest());
+  poison_.RequireValue(destination, kAddressUndefined);
   const std::vector<Target>& to = destination.targets;
-  RequireAligned(to, call.getDestAlign().valueOrOne().value());
+  memory_.RequireAligned(to, call.getDestAlign().valueOrOne().value());
   if (const auto* set = llvm::dyn_cast<llvm::MemSetInst>(&call)) {
-    const terms::TermId value = TermOf(set->getValue());
-    RequireValue(ValueOf(set->getValue()), "a write of a number that C++ leaves undefined");
-    for (uint64_t i = 0; i < bytes && !refused(); ++i) Store(to, i, value);
+    const terms::TermId value = values_.TermOf(set->getValue());
+    poison_.RequireValue(values_.ValueOf(set->getValue()), "a write of a number that C++ leaves undefined");
+    for (uint64_t i = 0; i < bytes && !refused(); ++i) memory_.Store(to, i, value);
     return;
   }
   const auto& transfer = llvm::cast<llvm::MemTransferInst>(call);
-  const CodeValue source = ValueOf(transfer.getRawSource());
-  RequireValue(source, kAddressUndefined);
+  const CodeValue source = values_.ValueOf(transfer.getRawSource());
+  poison_.RequireValue(source, kAddressUndefined);
   const std::vector<Target>& from = source.targets;
-  RequireAligned(from, transfer.getSourceAlign().valueOrOne().value());
-  if (llvm::isa<llvm::MemCpyInst>(transfer)) RequireApart(to, from, bytes);
+  memory_.RequireAligned(from, transfer.getSourceAlign().valueOrOne().value());
+  if (llvm::isa<llvm::MemCpyInst>(transfer)) memory_.RequireApart(to, from, bytes);
   // All is read before anything is written, so that the two may overlap.
   std::vector<terms::TermId> values;
-  for (uint64_t i = 0; i < bytes && !refused(); ++i) values.push_back(Load(from, i, 1));
-  for (uint64_t i = 0; i < values.size() && !refused(); ++i) Store(to, i, values[i]);
+  for (uint64_t i = 0; i < bytes && !refused(); ++i) values.push_back(memory_.Load(from, i, 1));
+  for (uint64_t i = 0; i < values.size() && !refused(); ++i) memory_.Store(to, i, values[i]);
 }
 
-CodeValue Executor::WithOverflow(const llvm::WithOverflowInst& call) {
-  const terms::TermId a = TermOf(call.getLHS()), b = TermOf(call.getRHS());
+CodeValue Intrinsics::WithOverflow(const llvm::WithOverflowInst& call) {
+  const terms::TermId a = values_.TermOf(call.getLHS()), b = values_.TermOf(call.getRHS());
   const uint8_t width = terms_.Width(a);
   const auto wide_width = static_cast<uint8_t>(call.getBinaryOp() == llvm::Instruction::Mul ? 2 * width : width + 1);
   if (wide_width > 64) {
     Refuse("function '" + call.getCalledFunction()->getName().str() + "'");
-    return AnyOf(*call.getType());
+    return values_.AnyOf(*call.getType());
   }
   const auto widen = [&](terms::TermId term) {
     return call.isSigned() ? terms_.Sext(term, wide_width) : terms_.Zext(term, wide_width);
@@ -186,8 +119,8 @@ CodeValue Executor::WithOverflow(const llvm::WithOverflowInst& call) {
   return {.parts = {{.term = result}, {.term = terms_.Ne(exact, widen(result))}}};
 }
 
-terms::TermId Executor::Saturated(const llvm::SaturatingInst& call) {
-  const terms::TermId a = TermOf(call.getLHS()), b = TermOf(call.getRHS());
+terms::TermId Intrinsics::Saturated(const llvm::SaturatingInst& call) {
+  const terms::TermId a = values_.TermOf(call.getLHS()), b = values_.TermOf(call.getRHS());
   const uint8_t width = terms_.Width(a);
   const bool adds = call.getBinaryOp() == llvm::Instruction::Add;
   const bool known = adds || call.getBinaryOp() == llvm::Instruction::Sub;
@@ -207,7 +140,7 @@ terms::TermId Executor::Saturated(const llvm::SaturatingInst& call) {
   return terms_.Ite(overflow, terms_.Ite(sign(a), least, terms_.Not(least)), result);
 }
 
-terms::TermId Executor::CountBits(const llvm::IntrinsicInst& call, terms::TermId a) {
+terms::TermId Intrinsics::CountBits(const llvm::IntrinsicInst& call, terms::TermId a) {
   const uint8_t width = terms_.Width(a);
   const auto bit = [&](uint8_t number) { return terms_.Extract(a, number, 1); };
   if (call.getIntrinsicID() == llvm::Intrinsic::ctpop) {
@@ -225,10 +158,10 @@ terms::TermId Executor::CountBits(const llvm::IntrinsicInst& call, terms::TermId
   return count;
 }
 
-terms::TermId Executor::IntegerIntrinsic(const llvm::IntrinsicInst& call) {
-  const terms::TermId a = TermOf(call.getArgOperand(0));
+terms::TermId Intrinsics::OfInteger(const llvm::IntrinsicInst& call) {
+  const terms::TermId a = values_.TermOf(call.getArgOperand(0));
   const uint8_t width = terms_.Width(a);
-  const auto b = [&] { return TermOf(call.getArgOperand(1)); };
+  const auto b = [&] { return values_.TermOf(call.getArgOperand(1)); };
   const uint8_t result_width = WidthOf(*call.getType());
   const auto three_way = [&](terms::TermId less, terms::TermId greater) {
     return terms_.Ite(less, terms_.Const(terms::Masked(~uint64_t{0}, result_width), result_width),
@@ -270,7 +203,7 @@ terms::TermId Executor::IntegerIntrinsic(const llvm::IntrinsicInst& call) {
     case llvm::Intrinsic::fshr: {
       const bool left = call.getIntrinsicID() == llvm::Intrinsic::fshl;
       const terms::TermId all = terms_.Const(width, width);
-      const terms::TermId by = terms_.Urem(TermOf(call.getArgOperand(2)), all);
+      const terms::TermId by = terms_.Urem(values_.TermOf(call.getArgOperand(2)), all);
       const terms::TermId rest = terms_.Sub(all, by);
       // A shift by the whole width gives 0 here, as it has to.
       return left ? terms_.Or(terms_.Shl(a, by), terms_.Lshr(b(), rest))
@@ -282,13 +215,13 @@ terms::TermId Executor::IntegerIntrinsic(const llvm::IntrinsicInst& call) {
   }
 }
 
-terms::TermId Executor::FloatIntrinsic(const llvm::IntrinsicInst& call) {
-  const terms::TermId a = TermOf(call.getArgOperand(0));
+terms::TermId Intrinsics::OfFloat(const llvm::IntrinsicInst& call) {
+  const terms::TermId a = values_.TermOf(call.getArgOperand(0));
   switch (call.getIntrinsicID()) {
     case llvm::Intrinsic::fabs:
       return terms::FloatAbs(terms_, a);
     case llvm::Intrinsic::copysign:
-      return terms::FloatCopySign(terms_, a, TermOf(call.getArgOperand(1)));
+      return terms::FloatCopySign(terms_, a, values_.TermOf(call.getArgOperand(1)));
     case llvm::Intrinsic::sqrt:
       return terms::FloatSqrt(terms_, a);
     case llvm::Intrinsic::floor:

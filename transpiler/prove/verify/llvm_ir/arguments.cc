@@ -1,12 +1,9 @@
-// Executor: the function that is asked for, and what its parameters hold.
-#include <llvm/Demangle/Demangle.h>
+#include "transpiler/prove/verify/llvm_ir/arguments.h"
 
 #include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
-
-#include "transpiler/prove/verify/llvm_ir/executor.h"
 
 namespace plcxx::prove::verify::llvm_ir {
 namespace {
@@ -15,26 +12,17 @@ constexpr uint32_t kStateObject = 1, kHostObject = 2;
 
 }  // namespace
 
-const std::string& FlowCache::NameOf(const llvm::Function& function) {
-  std::string& name = names_[&function];
-  if (name.empty()) {
-    const std::string text = llvm::demangle(function.getName());
-    name = text.substr(0, text.find('('));
-  }
-  return name;
-}
-
-bool Executor::BindOne(const llvm::Argument& parameter, const CodeArgument& argument, CodeValue& value) {
+bool Arguments::BindOne(const llvm::Argument& parameter, const CodeArgument& argument, CodeValue& value) {
   const llvm::Type& type = *parameter.getType();
   // C++ says so of a reference; callers are asked for it.
   const uint64_t align = parameter.getParamAlign().valueOrOne().value();
   switch (argument.kind) {
     case CodeArgument::Kind::kState:
       objects_[kStateObject].align = std::max(objects_[kStateObject].align, align);
-      value = PointerTo(kStateObject);
+      value = values_.PointerTo(kStateObject);
       break;
     case CodeArgument::Kind::kHost:
-      value = PointerTo(kHostObject);
+      value = values_.PointerTo(kHostObject);
       break;
     case CodeArgument::Kind::kMemory:
       objects_.push_back({.kind = ObjectKind::kLocal,
@@ -42,7 +30,7 @@ bool Executor::BindOne(const llvm::Argument& parameter, const CodeArgument& argu
                           .bytes = argument.bytes,
                           .align = align,
                           .values = {}});
-      value = PointerTo(static_cast<uint32_t>(objects_.size() - 1));
+      value = values_.PointerTo(static_cast<uint32_t>(objects_.size() - 1));
       break;
     case CodeArgument::Kind::kValue:
       value = {.term = argument.value};
@@ -52,7 +40,7 @@ bool Executor::BindOne(const llvm::Argument& parameter, const CodeArgument& argu
 }
 
 /// "s.0.val" is what stood at s at the time of the call.
-bool Executor::BindByName(const llvm::Argument& parameter, CodeValue& value) {
+bool Arguments::BindByName(const llvm::Argument& parameter, CodeValue& value) {
   const std::string_view name = parameter.getName();
   for (const CodeArgument& argument : run_.arguments) {
     if (argument.name == name) return BindOne(parameter, argument, value);
@@ -66,7 +54,7 @@ bool Executor::BindByName(const llvm::Argument& parameter, CodeValue& value) {
     if (bytes > all || *offset > all - bytes) return false;
     terms::TermId term;
     for (uint32_t i = bytes; i-- > 0;) {
-      const terms::TermId byte = ReadSlot(argument.slot + *offset + i);
+      const terms::TermId byte = memory_.ReadSlot(argument.slot + *offset + i);
       term = term.valid() ? terms_.Concat(term, byte) : byte;
     }
     value = {.term = terms_.Resize(term, WidthOf(type))};
@@ -75,7 +63,7 @@ bool Executor::BindByName(const llvm::Argument& parameter, CodeValue& value) {
   return false;
 }
 
-bool Executor::Bind(const llvm::Function& function, std::vector<CodeValue>& values) {
+bool Arguments::Bind(const llvm::Function& function, std::vector<CodeValue>& values) {
   const size_t count = function.arg_size();
   bool in_order = count == run_.arguments.size();
   for (unsigned i = 0; in_order && i < count; ++i) {
@@ -90,21 +78,6 @@ bool Executor::Bind(const llvm::Function& function, std::vector<CodeValue>& valu
     if (!bound) return false;
   }
   return true;
-}
-
-CodeOutcome Executor::Run(const llvm::Function& function) {
-  std::vector<CodeValue> arguments;
-  context_ = terms_.Bit(true);
-  if (!Bind(function, arguments)) {
-    Refuse("the parameters of " + run_.function + " are others than expected");
-    return std::move(outcome_);
-  }
-  const CodeValue result = Call(function, std::move(arguments));
-  if (refused()) return std::move(outcome_);
-  outcome_.result = result.term;
-  for (uint32_t slot = 0; slot < run_.state_bytes + run_.further_slots; ++slot)
-    outcome_.slots.push_back(ReadSlot(slot));
-  return std::move(outcome_);
 }
 
 }  // namespace plcxx::prove::verify::llvm_ir

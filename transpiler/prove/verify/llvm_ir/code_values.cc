@@ -1,18 +1,14 @@
-// Executor: constants, globals, and what types are read.
-#include <llvm/IR/Constants.h>
-#include <llvm/IR/GlobalVariable.h>
+#include "transpiler/prove/verify/llvm_ir/code_values.h"
+
 #include <llvm/IR/Operator.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/prove/verify/llvm_ir/executor.h"
-
 namespace plcxx::prove::verify::llvm_ir {
 namespace {
 
 constexpr uint32_t kNullObject = 0;
-constexpr unsigned kWidest = 64;
 
 void AppendBytes(const llvm::Constant& constant, const llvm::DataLayout& layout, uint64_t at,
                  std::vector<int16_t>& bytes) {
@@ -52,44 +48,7 @@ std::vector<int16_t> BytesOf(const llvm::Constant& constant, const llvm::DataLay
   return bytes;
 }
 
-Executor::Executor(const llvm::Module& module, FlowCache& flows, terms::Terms& terms, CodeEnvironment& environment,
-                   const CodeRun& run)
-    : module_(module),
-      layout_(module.getDataLayout()),
-      flows_(flows),
-      terms_(terms),
-      environment_(environment),
-      run_(run),
-      ranges_(terms),
-      first_term_(terms.size()),
-      objects_{{.kind = ObjectKind::kNull},
-               {.kind = ObjectKind::kState, .bytes = run.state_bytes},
-               {.kind = ObjectKind::kHost}},
-      initial_(run.state_bytes + run.further_slots),
-      next_slot_(run.state_bytes + run.further_slots) {
-  outcome_.left_out = terms.Bit(false);
-}
-
-bool Executor::IsSupported(const llvm::Type& type) const {
-  if (type.isIntegerTy()) return type.getIntegerBitWidth() <= kWidest;
-  if (const auto* structure = llvm::dyn_cast<llvm::StructType>(&type)) {
-    for (const llvm::Type* element : structure->elements()) {
-      if (!IsSupported(*element)) return false;
-    }
-    return true;
-  }
-  return type.isFloatTy() || type.isDoubleTy() || (type.isPointerTy() && type.getPointerAddressSpace() == 0);
-}
-
-uint8_t Executor::WidthOf(const llvm::Type& type) const {
-  return static_cast<uint8_t>(type.isIntegerTy() ? type.getIntegerBitWidth() : type.isFloatTy() ? 32U : 64U);
-}
-
-terms::TermId Executor::Undefined(uint8_t width) {
-  return terms_.Variable("undefined " + std::to_string(terms_.variable_count()), width);
-}
-
-CodeValue Executor::AnyOf(const llvm::Type& type) {
+CodeValue CodeValues::AnyOf(const llvm::Type& type) {
   if (const auto* structure = llvm::dyn_cast<llvm::StructType>(&type)) {
     CodeValue value;
     for (const llvm::Type* element : structure->elements()) value.parts.push_back(AnyOf(*element));
@@ -100,12 +59,12 @@ CodeValue Executor::AnyOf(const llvm::Type& type) {
   return {.term = Undefined(WidthOf(type))};
 }
 
-CodeValue Executor::PointerTo(uint32_t object, uint64_t offset) {
+CodeValue CodeValues::PointerTo(uint32_t object, uint64_t offset) {
   return {.targets = {{.when = terms_.Bit(true), .object = object, .offset = terms_.Const(offset, 64)}}};
 }
 
 /// Several names of the same slots are one object.
-uint32_t Executor::PlacedObject(const CodeGlobal& global) {
+uint32_t CodeValues::PlacedObject(const CodeGlobal& global) {
   constexpr uint64_t kAnyAlignment = 8;  // it is asked of nobody
   const auto same = std::ranges::find_if(objects_, [&global](const Object& object) {
     return object.kind == ObjectKind::kGlobal && object.first_slot == global.slot && object.bytes == global.bytes;
@@ -124,7 +83,7 @@ uint32_t Executor::PlacedObject(const CodeGlobal& global) {
   return static_cast<uint32_t>(objects_.size() - 1);
 }
 
-uint32_t Executor::ObjectOf(const llvm::GlobalVariable& global) {
+uint32_t CodeValues::ObjectOf(const llvm::GlobalVariable& global) {
   const auto found = globals_.find(&global);
   if (found != globals_.end()) return found->second;
   const auto placed = std::ranges::find(run_.globals, global.getName(), &CodeGlobal::name);
@@ -146,7 +105,7 @@ uint32_t Executor::ObjectOf(const llvm::GlobalVariable& global) {
   return number;
 }
 
-CodeValue Executor::ConstantOf(const llvm::Constant& constant) {
+CodeValue CodeValues::ConstantOf(const llvm::Constant& constant) {
   const llvm::Type& type = *constant.getType();
   if (const auto* integer = llvm::dyn_cast<llvm::ConstantInt>(&constant))
     return {.term = terms_.Const(integer->getValue().getZExtValue(), WidthOf(type))};
@@ -176,12 +135,44 @@ CodeValue Executor::ConstantOf(const llvm::Constant& constant) {
   return AnyOf(type);
 }
 
-CodeValue Executor::ValueOf(const llvm::Value* value) {
+CodeValue CodeValues::ValueOf(const llvm::Value* value) {
   if (const auto* constant = llvm::dyn_cast<llvm::Constant>(value)) return ConstantOf(*constant);
-  const auto found = values_.find(value);
-  if (found != values_.end()) return found->second;
+  const auto found = now_.values.find(value);
+  if (found != now_.values.end()) return found->second;
   // Computed on a way that was not taken; nothing depends on it here.
   return AnyOf(*value->getType());
+}
+
+CodeValue CodeValues::Choose(terms::TermId condition, const CodeValue& then, const CodeValue& otherwise) {
+  if (terms_.IsTrue(condition)) return then;
+  if (terms_.IsFalse(condition)) return otherwise;
+  CodeValue chosen;
+  if (then.term.valid()) chosen.term = terms_.Ite(condition, then.term, otherwise.term);
+  if (then.poison.valid() || otherwise.poison.valid()) {
+    const auto poison = [this](const CodeValue& value) {
+      return value.poison.valid() ? value.poison : terms_.Bit(false);
+    };
+    chosen.poison = OrNone(terms_.Ite(condition, poison(then), poison(otherwise)));
+  }
+  for (size_t i = 0; i < then.parts.size(); ++i)
+    chosen.parts.push_back(Choose(condition, then.parts[i], otherwise.parts[i]));
+  for (const Target& target : then.targets) {
+    chosen.targets.push_back({terms_.And(condition, target.when), target.object, target.offset});
+  }
+  const terms::TermId not_condition = terms_.Not(condition);
+  for (const Target& target : otherwise.targets) {
+    const terms::TermId when = terms_.And(not_condition, target.when);
+    // Two places of one object are one target with a chosen offset.
+    const auto same =
+        std::ranges::find_if(chosen.targets, [&](const Target& other) { return other.object == target.object; });
+    if (same == chosen.targets.end()) {
+      chosen.targets.push_back({when, target.object, target.offset});
+      continue;
+    }
+    same->offset = terms_.Ite(condition, same->offset, target.offset);
+    same->when = terms_.Or(same->when, when);
+  }
+  return chosen;
 }
 
 }  // namespace plcxx::prove::verify::llvm_ir

@@ -1,8 +1,10 @@
-// Executor: what pointers reach.
+#include "transpiler/prove/verify/llvm_ir/object_memory.h"
+
 #include <algorithm>
+#include <bit>
+#include <string>
 #include <utility>
 
-#include "transpiler/prove/verify/llvm_ir/executor.h"
 #include "transpiler/symbolic/terms/look_up.h"
 
 namespace plcxx::prove::verify::llvm_ir {
@@ -13,7 +15,7 @@ constexpr uint64_t kLargestLocal = 1 << 20;
 
 }  // namespace
 
-terms::TermId Executor::ReadSlot(const Slots& slots, uint32_t slot) {
+terms::TermId ObjectMemory::ReadSlot(const Slots& slots, uint32_t slot) {
   const terms::TermId value = slots.At(slot);
   if (value.valid()) return value;
   if (slot >= initial_.size()) return Undefined(8);
@@ -21,18 +23,18 @@ terms::TermId Executor::ReadSlot(const Slots& slots, uint32_t slot) {
   return initial_[slot];
 }
 
-uint32_t Executor::NewLocal(uint64_t bytes, uint64_t align) {
+uint32_t ObjectMemory::NewLocal(uint64_t bytes, uint64_t align) {
   if (bytes > kLargestLocal) {
     Refuse("a local of " + std::to_string(bytes) + " bytes");
     bytes = 0;
   }
   objects_.push_back(
-      {.kind = ObjectKind::kLocal, .first_slot = next_slot_, .bytes = bytes, .align = align, .values = {}});
-  for (uint64_t i = 0; i < bytes; ++i) slots_.Set(next_slot_++, terms::TermId());
+      {.kind = ObjectKind::kLocal, .first_slot = now_.next_slot, .bytes = bytes, .align = align, .values = {}});
+  for (uint64_t i = 0; i < bytes; ++i) slots_.Set(now_.next_slot++, terms::TermId());
   return static_cast<uint32_t>(objects_.size() - 1);
 }
 
-Executor::Reach Executor::ReachOf(const Object& object, terms::TermId offset, uint32_t bytes) {
+ObjectMemory::Reach ObjectMemory::ReachOf(const Object& object, terms::TermId offset, uint32_t bytes) {
   const ValueRange range = ranges_.Of(offset);
   Reach reach;
   if (object.bytes < bytes || range.low > object.bytes - bytes) {
@@ -51,11 +53,11 @@ Executor::Reach Executor::ReachOf(const Object& object, terms::TermId offset, ui
   return reach;
 }
 
-terms::TermId Executor::IsBeyond(const Reach& reach, terms::TermId offset) {
+terms::TermId ObjectMemory::IsBeyond(const Reach& reach, terms::TermId offset) {
   return terms_.Or(terms_.Ult(terms_.Const(reach.high, 64), offset), terms_.Ult(offset, terms_.Const(reach.low, 64)));
 }
 
-terms::TermId Executor::LoadAt(const Object& object, uint64_t offset, uint32_t bytes) {
+terms::TermId ObjectMemory::LoadAt(const Object& object, uint64_t offset, uint32_t bytes) {
   terms::TermId value;
   for (uint32_t i = 0; i < bytes; ++i) {
     terms::TermId byte;
@@ -70,7 +72,7 @@ terms::TermId Executor::LoadAt(const Object& object, uint64_t offset, uint32_t b
   return value;
 }
 
-terms::TermId Executor::LoadFrom(terms::TermId when, uint32_t number, terms::TermId offset, uint32_t bytes) {
+terms::TermId ObjectMemory::LoadFrom(terms::TermId when, uint32_t number, terms::TermId offset, uint32_t bytes) {
   const auto width = static_cast<uint8_t>(8 * bytes);
   const Object& object = objects_[number];
   if (object.kind == ObjectKind::kNull && run_.language == CodeRun::Language::kSource) {
@@ -100,7 +102,7 @@ terms::TermId Executor::LoadFrom(terms::TermId when, uint32_t number, terms::Ter
   return terms::LookUp(terms_, offset, elements, reach.beyond ? Undefined(width) : terms::TermId());
 }
 
-terms::TermId Executor::Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes) {
+terms::TermId ObjectMemory::Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes) {
   terms::TermId value;
   for (auto target = targets.rbegin(); target != targets.rend(); ++target) {
     const terms::TermId offset = at == 0 ? target->offset : terms_.Add(target->offset, terms_.Const(at, 64));
@@ -110,7 +112,7 @@ terms::TermId Executor::Load(const std::vector<Target>& targets, uint64_t at, ui
   return value;
 }
 
-void Executor::StoreAt(terms::TermId when, const Object& object, uint64_t offset, terms::TermId value) {
+void ObjectMemory::StoreAt(terms::TermId when, const Object& object, uint64_t offset, terms::TermId value) {
   for (uint32_t i = 0; i < terms_.Width(value) / 8U; ++i) {
     const uint32_t slot = object.first_slot + static_cast<uint32_t>(offset) + i;
     const terms::TermId byte = terms_.Extract(value, static_cast<uint8_t>(8 * i), 8);
@@ -118,7 +120,7 @@ void Executor::StoreAt(terms::TermId when, const Object& object, uint64_t offset
   }
 }
 
-void Executor::StoreTo(terms::TermId when, uint32_t number, terms::TermId offset, terms::TermId value) {
+void ObjectMemory::StoreTo(terms::TermId when, uint32_t number, terms::TermId offset, terms::TermId value) {
   const Object& object = objects_[number];
   if (object.kind == ObjectKind::kNull && run_.language == CodeRun::Language::kSource) {
     Require(when, "a write through a null pointer");
@@ -142,23 +144,23 @@ void Executor::StoreTo(terms::TermId when, uint32_t number, terms::TermId offset
     StoreAt(terms_.And(when, terms_.Eq(offset, terms_.Const(at, 64))), object, at, value);
 }
 
-void Executor::Store(const std::vector<Target>& targets, uint64_t at, terms::TermId value) {
+void ObjectMemory::Store(const std::vector<Target>& targets, uint64_t at, terms::TermId value) {
   for (const Target& target : targets) {
     const terms::TermId offset = at == 0 ? target.offset : terms_.Add(target.offset, terms_.Const(at, 64));
     StoreTo(target.when, target.object, offset, value);
   }
 }
 
-void Executor::ForgetLocals(const std::vector<Target>& targets) {
+void ObjectMemory::ForgetLocals(const std::vector<Target>& targets) {
   for (const Target& target : targets) {
     const Object& object = objects_[target.object];
-    if (object.kind != ObjectKind::kLocal || object.first_slot < initial_.size()) continue;
+    if (!IsOwnLocal(object)) continue;
     for (uint64_t at = 0; at < object.bytes; ++at)
       slots_.Set(static_cast<uint32_t>(object.first_slot + at), terms::TermId());
   }
 }
 
-void Executor::RequireApart(const std::vector<Target>& to, const std::vector<Target>& from, uint64_t bytes) {
+void ObjectMemory::RequireApart(const std::vector<Target>& to, const std::vector<Target>& from, uint64_t bytes) {
   const terms::TermId length = terms_.Const(bytes, 64);
   for (const Target& one : to) {
     for (const Target& other : from) {
@@ -168,6 +170,24 @@ void Executor::RequireApart(const std::vector<Target>& to, const std::vector<Tar
           terms_.And(terms_.Ne(one.offset, other.offset), terms_.Or(terms_.Ult(up, length), terms_.Ult(down, length)));
       Require(terms_.And(terms_.And(one.when, other.when), overlap), "a copy onto a part of itself");
     }
+  }
+}
+
+void ObjectMemory::RequireAligned(const std::vector<Target>& targets, uint64_t align) {
+  if (align <= 1) return;
+  const auto low_bits = static_cast<uint8_t>(std::countr_zero(align));
+  for (const Target& target : targets) {
+    const Object& object = objects_[target.object];
+    if (object.kind == ObjectKind::kHost || object.kind == ObjectKind::kNull) continue;
+    constexpr const char* kText = "an access at an address that is not aligned";
+    if (object.align % align != 0) {
+      Require(target.when, kText);
+      continue;
+    }
+    const ValueRange range = ranges_.Of(target.offset);
+    if (range.low % align == 0 && range.step % align == 0) continue;
+    const terms::TermId rest = terms_.Extract(target.offset, 0, low_bits);
+    Require(terms_.And(target.when, terms_.Ne(rest, terms_.Const(0, low_bits))), kText);
   }
 }
 
