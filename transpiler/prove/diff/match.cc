@@ -9,6 +9,8 @@
 #include "transpiler/ir/op.h"
 #include "transpiler/prove/diff/one_sided.h"
 #include "transpiler/prove/machine/requests.h"
+#include "transpiler/prove/machine/transition.h"
+#include "transpiler/symbolic/execute/summary.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 
 namespace plcxx::prove::diff {
@@ -256,6 +258,59 @@ bool IsInputPair(const machine::Version& old_version, const machine::Version& ne
   const bool new_uses_it = new_cell.valid() ? new_uses.writes[new_cell.index] || new_uses.reads[new_cell.index]
                                             : old_uses.writes[old_cell.index];
   return !((old_sets || new_sets) && old_uses_it != new_uses_it && IsPrivate(old_version, old_cell));
+}
+
+std::vector<bool> CellsThatStartOtherwise(const machine::Version& old_version, const machine::Version& new_version,
+                                          const Match& match) {
+  const auto starts_with = [](const machine::Version& version, execute::CellId id) {
+    const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+    return machine::PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
+  };
+  const ir::Program& program = *old_version.program;
+  std::vector<bool> starts_otherwise(old_version.cells.count);
+  for (const ir::Place& place : program.places) {
+    if (place.is_field() || place.indexed || place.type == ir::Type::kBit || !execute::IsInside(program, place))
+      continue;
+    const std::vector<execute::CellId> cells = execute::CellsOf(program, old_version.cells, place);
+    const bool differs = std::ranges::any_of(cells, [&](execute::CellId old_cell) {
+      const execute::CellId new_cell = match.new_of_old[old_cell.index];
+      return new_cell.valid() && starts_with(old_version, old_cell) != starts_with(new_version, new_cell);
+    });
+    for (const execute::CellId cell : cells)
+      if (differs) starts_otherwise[cell.index] = true;
+  }
+  return starts_otherwise;
+}
+
+namespace {
+
+/// The short loops that can be unknown functions, by what they do.
+std::map<std::string, std::set<ir::InstId>> ShortLoopsOf(const machine::Version& version) {
+  const ir::Program& program = *version.program;
+  std::map<std::string, std::set<ir::InstId>> loops;
+  for (uint32_t r = 0; r < program.regions.size(); ++r) {
+    for (const ir::InstId id : program.regions[ir::RegionId(r)].insts) {
+      if (program[id].op != ir::OpKind::kLoop) continue;
+      const ir::Loop& loop = program.loops[ir::LoopId(program[id].payload)];
+      if (!execute::IsShort(program, loop, machine::kMostUnrolled)) continue;
+      execute::LoopSummary summary = execute::SummarizeLoop(program, version.cells, id);
+      if (!summary.opaque) loops[std::move(summary.text)].insert(id);
+    }
+  }
+  return loops;
+}
+
+}  // namespace
+
+void ShareLoops(machine::Version& old_version, machine::Version& new_version) {
+  const std::map<std::string, std::set<ir::InstId>> old_loops = ShortLoopsOf(old_version),
+                                                    new_loops = ShortLoopsOf(new_version);
+  for (const auto& [text, loops] : old_loops) {
+    const auto same = new_loops.find(text);
+    if (same == new_loops.end()) continue;
+    old_version.shared_loops.insert(loops.begin(), loops.end());
+    new_version.shared_loops.insert(same->second.begin(), same->second.end());
+  }
 }
 
 std::vector<execute::CellId> MatchedRequests(const machine::Version& old_version, const machine::Version& new_version,

@@ -24,12 +24,21 @@ struct Match {
 Match MatchCells(const machine::Version& old_version, const machine::Version& new_version,
                  const std::vector<std::pair<ir::Place, ir::Place>>& same);
 
+/// Notes in both versions which of their short loops the other one has, too: not what they are about, but every word of
+/// what they do.
+void ShareLoops(machine::Version& old_version, machine::Version& new_version);
+
 /// Whether a matched pair is an input, which anybody may set between two parts: memory that the control writes
 /// (inputs of the machine, and what both write), or that a version at least never writes. What both versions write is
 /// theirs, and so is what one alone uses and writes.
 bool IsInputPair(const machine::Version& old_version, const machine::Version& new_version,
                  const machine::Uses& old_uses, const machine::Uses& new_uses, const Match& match,
                  execute::CellId old_cell);
+
+/// By old cell: whether it is in a word that the versions begin with different values of, as another preset. Who sets
+/// some of its bits in both sets two words, which no scenario says.
+std::vector<bool> CellsThatStartOtherwise(const machine::Version& old_version, const machine::Version& new_version,
+                                          const Match& match);
 
 /// Old cells that the program sets and the control takes back (machine/requests.h) in both versions.
 std::vector<execute::CellId> MatchedRequests(const machine::Version& old_version, const machine::Version& new_version,

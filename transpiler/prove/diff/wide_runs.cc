@@ -47,8 +47,7 @@ WideRuns::WideRuns(UnrolledVersions versions, const std::vector<execute::CellId>
                             new_init = machine::RunInit(terms_, versions_.new_version, at_power_on);
   if (!old_init.refusal.empty() || !new_init.refusal.empty()) return;
   const auto relation = [&](const machine::Version& version) {
-    return std::make_unique<machine::Relation>(terms_, version, machine::HostAnswers::kNothing,
-                                               machine::ShortLoops::kSummarized);
+    return std::make_unique<machine::Relation>(terms_, version, machine::HostAnswers::kNothing);
   };
   old_relation_ = relation(versions_.old_version);
   if (!old_relation_->refusal().empty()) return;

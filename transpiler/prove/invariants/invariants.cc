@@ -112,8 +112,7 @@ bool InvariantFinder::Finder::ExecuteParts() {
   const machine::PartEnvironment environment{.initial = [this](execute::CellId cell) { return Current(cell); },
                                              .now = now_,
                                              .observed = {},
-                                             .is_late = [this] { return Late(); },
-                                             .short_loops = search_.short_loops};
+                                             .is_late = [this] { return Late(); }};
   const auto is_executed = [this](const machine::Transition& transition) {
     is_done_ = is_done_ || (!transition.refusal.empty() && !Late());
     return transition.refusal.empty();

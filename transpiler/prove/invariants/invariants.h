@@ -21,7 +21,6 @@
 #include <span>
 #include <vector>
 
-#include "transpiler/prove/machine/transition.h"
 #include "transpiler/prove/machine/version.h"
 #include "transpiler/symbolic/solver/solver.h"
 
@@ -57,7 +56,6 @@ struct InvariantSearch {
   std::function<bool(execute::CellId)> is_input;  // the host writes the cell
   /// A machine at work, which random inputs do not start; may be empty. Nothing is taken for true because of them.
   SeenStates seen_states;
-  machine::ShortLoops short_loops = machine::ShortLoops::kSummarized;
 };
 
 class InvariantFinder {

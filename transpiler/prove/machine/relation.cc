@@ -15,12 +15,10 @@ constexpr uint32_t kSummarizeAfter = 16, kMostTerms = 10'000'000;
 
 }  // namespace
 
-Relation::Relation(terms::Terms& terms, const Version& version, HostAnswers answers, ShortLoops short_loops,
-                   const Relation* other)
+Relation::Relation(terms::Terms& terms, const Version& version, HostAnswers answers, const Relation* other)
     : terms_(terms),
       version_(version),
       answers_(answers),
-      short_loops_(short_loops),
       now_(other == nullptr ? terms.Variable("now", 32) : other->now_) {
   if (other != nullptr) {
     variables_ = other->variables_;
@@ -47,7 +45,8 @@ std::vector<terms::TermId> Relation::Execute(Part part) {
                               },
                           .is_exchanged = [&](execute::CellId cell) { return bool{handshakes[cell.index]}; },
                           .summarize_after = kSummarizeAfter,
-                          .unroll_up_to = short_loops_ == ShortLoops::kUnrolled ? kMostUnrolled : 0,
+                          .unroll_up_to = kMostUnrolled,
+                          .never_unrolled = &version_.shared_loops,
                           .most_terms = kMostTerms});
   const ir::Schedule& schedule = version_.program->schedule;
   refusal_ = execute::Execute(memory, part == Part::kFast ? schedule.fast_only : schedule.period);

@@ -19,8 +19,7 @@ class Relation {
  public:
   /// `terms` and `version` outlive it. What `other`, of the same version, computes alike is the same term; it may be
   /// none.
-  Relation(terms::Terms& terms, const Version& version, HostAnswers answers, ShortLoops short_loops,
-           const Relation* other = nullptr);
+  Relation(terms::Terms& terms, const Version& version, HostAnswers answers, const Relation* other = nullptr);
 
   /// Not empty: a part cannot be executed, and why.
   const execute::Refusal& refusal() const { return refusal_; }
@@ -50,7 +49,6 @@ class Relation {
   terms::Terms& terms_;
   const Version& version_;
   HostAnswers answers_;
-  ShortLoops short_loops_;
   terms::TermId now_;
   std::map<execute::CellId, terms::TermId> variables_;
   std::map<terms::TermId, execute::CellId> cells_;

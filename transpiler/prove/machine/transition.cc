@@ -82,7 +82,8 @@ Transition RunRoutine(terms::Terms& terms, const Version& version, ir::RoutineId
                                  .notes = seen.notes(),
                                  .host_answers = environment.answers == HostAnswers::kAny,
                                  .summarize_after = 16,
-                                 .unroll_up_to = environment.short_loops == ShortLoops::kUnrolled ? kMostUnrolled : 0,
+                                 .unroll_up_to = kMostUnrolled,
+                                 .never_unrolled = &version.shared_loops,
                                  .is_late = environment.is_late};
   execution.observe = [&](execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
     seen.Note(memory, function, when);

@@ -27,12 +27,8 @@ enum class HostAnswers : uint8_t {
   kNothing  // 0, no second result, and nothing is written: a simulation without a stub
 };
 
-/// What becomes of a proven loop of which it is not known after a few rounds whether it goes on.
-enum class ShortLoops : uint8_t {
-  kSummarized,  // an unknown function, so that two versions with the same loop are equal however it ends
-  kUnrolled     // executed to its bound where that is not much, so that something can be said of what it does
-};
-/// Instructions in all rounds of a loop that is unrolled: a page of 50 rounds and a hundred steps.
+/// Instructions in all rounds of a loop with a proven bound that is executed to its bound, so that something can be
+/// said of what it does: a page of 50 rounds and a hundred steps. Of others, and of Version::shared_loops, nothing is.
 inline constexpr uint32_t kMostUnrolled = 50'000;
 
 struct PartEnvironment {
@@ -45,7 +41,6 @@ struct PartEnvironment {
   std::function<terms::TermId(execute::CellId, terms::TermId)> cut;        // see Environment; may be empty
   std::function<bool(execute::CellId)> is_cut;
   std::function<bool()> is_late;  // see Environment; may be empty
-  ShortLoops short_loops = ShortLoops::kSummarized;
 };
 
 /// What runs by itself: the schedule's period, and the fast part alone: it may have a time of its own (fast_ms, the

@@ -8,7 +8,9 @@
 
 namespace plcxx::prove::machine {
 
-Version MakeVersion(const ir::Program& program) { return {.program = &program, .cells = execute::MakeCells(program)}; }
+Version MakeVersion(const ir::Program& program) {
+  return {.program = &program, .cells = execute::MakeCells(program), .shared_loops = {}};
+}
 
 ir::Direction DirectionOf(const Version& version, execute::CellId id) {
   const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);

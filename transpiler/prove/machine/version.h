@@ -4,6 +4,7 @@
 // or write it. Not its job: what a part of the period computes (transition.h), a second version (diff/match.h).
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "transpiler/ir/program.h"
@@ -16,6 +17,9 @@ namespace plcxx::prove::machine {
 struct Version {
   const ir::Program* program = nullptr;
   execute::Cells cells;
+  /// Short loops that another version has as well (diff/match.h): unknown functions, so that both are equal however
+  /// they end.
+  std::set<ir::InstId> shared_loops;
 };
 Version MakeVersion(const ir::Program& program);
 

@@ -49,11 +49,9 @@ PropertyChecker::PropertyChecker(const machine::Version& version, CheckOptions o
   new_each_time_ = inputs_;
   for (uint32_t i = 0; i < version_.cells.count; ++i)
     new_each_time_[i] = inputs_[i] || machine::IsInbox(version_, execute::CellId(i));
-  silent_ = std::make_unique<machine::Relation>(terms_, version_, machine::HostAnswers::kNothing,
-                                                machine::ShortLoops::kUnrolled);
+  silent_ = std::make_unique<machine::Relation>(terms_, version_, machine::HostAnswers::kNothing);
   if (machine::AnswersMatter(version))
-    any_ = std::make_unique<machine::Relation>(terms_, version_, machine::HostAnswers::kAny,
-                                               machine::ShortLoops::kUnrolled, silent_.get());
+    any_ = std::make_unique<machine::Relation>(terms_, version_, machine::HostAnswers::kAny, silent_.get());
   const machine::Start start =
       options_.retentive == RetentiveMemory::kAny ? machine::Start::kAnyRetentive : machine::Start::kPowerOn;
   plain_ = std::make_unique<machine::Unrolled>(terms_, *silent_, inputs_, start, "run");
@@ -398,8 +396,7 @@ void PropertyChecker::FindInvariantsAround(const std::vector<execute::CellId>& c
       {.version = version_,
        .cells = cells,
        .is_input = [this](execute::CellId cell) { return bool{new_each_time_[cell.index]}; },
-       .seen_states = {},
-       .short_loops = machine::ShortLoops::kUnrolled});
+       .seen_states = {}});
   finder.Find(RestMs() / 3);
   invariants_ = finder.invariants();
 }

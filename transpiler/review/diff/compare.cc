@@ -229,8 +229,9 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
                           whole_end = options.begin.value_or(begin) + std::chrono::milliseconds(options.time_ms);
   std::vector<std::pair<ir::Place, ir::Place>> same;
   if (std::optional<std::string> wrong = PlacesOf(old_side, new_side, options, same)) return {.refusal = *wrong};
-  const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
-                                new_version = prove::machine::MakeVersion(new_side.whole);
+  prove::machine::Version old_version = prove::machine::MakeVersion(old_side.whole),
+                          new_version = prove::machine::MakeVersion(new_side.whole);
+  prove::diff::ShareLoops(old_version, new_version);
   const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, same);
   RandomRuns runs;  // made when something is not proved equal at once
   const bool sliced = IsSliced(old_side.compilation.program) || IsSliced(new_side.compilation.program);

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -100,6 +101,8 @@ struct Environment {
   uint32_t summarize_after = 0;
   /// Except a proven loop that executes at most so many instructions in all its rounds: it is unrolled to its bound.
   uint32_t unroll_up_to = 0;
+  /// Of these, loops that become functions all the same; may be none.
+  const std::set<ir::InstId>* never_unrolled = nullptr;
   /// Whether a condition holds in the one run that is followed; empty: all runs are. Of a loop that would become an
   /// unknown function the rounds of this run are executed, and only what further rounds would do is unknown.
   std::function<bool(terms::TermId condition)> holds;

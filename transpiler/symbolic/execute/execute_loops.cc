@@ -15,17 +15,16 @@ constexpr uint8_t kRoundWidth = 32;
 constexpr uint64_t kMostCounted = 0xFFFFFFFF;
 constexpr size_t kMostSamples = 16;  // heads of one loop that are looked at
 
-/// Whether all rounds of a loop together have at most `most` instructions.
-bool IsUnrolled(const ir::Program& program, const ir::Loop& loop, uint32_t most) {
-  if (loop.bound > most) return false;
+}  // namespace
+
+bool IsShort(const ir::Program& program, const ir::Loop& loop, uint32_t most) {
+  if (loop.kind != ir::LoopBound::kProven || loop.bound > most) return false;
   uint64_t insts = 0;
   for (const ir::RegionId region : {loop.condition, loop.body, loop.step}) {
     if (region.valid()) ir::ForEachInst(program, region, [&insts](ir::InstId) { ++insts; });
   }
   return insts * loop.bound <= most;
 }
-
-}  // namespace
 
 void Executor::ExecuteLoop(ir::InstId id, const ir::Inst& inst) {
   const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
@@ -38,8 +37,10 @@ void Executor::ExecuteLoop(ir::InstId id, const ir::Inst& inst) {
     return;
   }
   const uint32_t most = memory_.environment().summarize_after;
-  const bool is_short = loop.kind == ir::LoopBound::kProven &&
-                        (loop.bound <= most || IsUnrolled(program_, loop, memory_.environment().unroll_up_to));
+  const std::set<ir::InstId>* const never = memory_.environment().never_unrolled;
+  const bool may_unroll = never == nullptr || !never->contains(id);
+  const bool is_short = (loop.kind == ir::LoopBound::kProven && loop.bound <= most) ||
+                        (may_unroll && IsShort(program_, loop, memory_.environment().unroll_up_to));
   if (most == 0 || is_short) {
     UnrollLoop(id, loop, 0, nullptr);
     return;

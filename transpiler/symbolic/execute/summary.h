@@ -30,6 +30,9 @@ struct LoopSummary {
 /// The names of the functions that stand for loops begin with this.
 inline constexpr std::string_view kLoopFunction = "loop ";
 
+/// Whether all iterations of a loop with a proven bound have at most `most` instructions.
+bool IsShort(const ir::Program& program, const ir::Loop& loop, uint32_t most);
+
 LoopSummary SummarizeLoop(const ir::Program& program, const Cells& cells, ir::InstId loop);
 
 }  // namespace plcxx::execute
