@@ -263,14 +263,18 @@ std::optional<uint64_t> ParseScenarioValue(std::string_view text, ir::Type type,
     if (!value) return std::nullopt;
     return *value & Largest(type);
   }
+  // The language's own reading comes first: 010 is 8 in C and 10 elsewhere.
+  const auto whole = [&dialect](std::string_view digits) {
+    const std::optional<uint64_t> own = dialect.parse_value(digits);
+    return own ? own : Plain(digits);
+  };
   if (text.starts_with('-')) {
-    const std::optional<uint64_t> magnitude = Plain(text.substr(1));
+    const std::optional<uint64_t> magnitude = whole(text.substr(1));
     if (!magnitude || type == ir::Type::kBit || *magnitude > Largest(type) / 2 + 1) return std::nullopt;
     return (~*magnitude + 1) & Largest(type);
   }
   std::optional<uint64_t> value = Truth(text);
-  if (!value) value = Plain(text);
-  if (!value) value = dialect.parse_value(text);
+  if (!value) value = whole(text);
   if (!value || *value > Largest(type)) return std::nullopt;
   return value;
 }

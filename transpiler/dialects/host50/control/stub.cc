@@ -9,7 +9,7 @@ namespace {
 
 /// What the machine holds of one byte of the image.
 struct InputByte {
-  uint8_t mask = 0;  // bits that have been set, or that the program writes
+  uint8_t mask = 0;  // bits that have been set, or that the program looks at or writes
   uint8_t value = 0;
 };
 
@@ -22,9 +22,11 @@ bool IsInput(ir::SpaceId space) {
 
 class MachineStub final : public dialects::ControlStub {
  public:
+  /// Inputs that the program only reads are delivered too: one that was forced has its own level again when it is let
+  /// go.
   explicit MachineStub(const ir::Program& program) {
     for (const ir::Inst& inst : program.insts) {
-      if (inst.op != ir::OpKind::kStore) continue;
+      if (inst.op != ir::OpKind::kStore && inst.op != ir::OpKind::kLoad) continue;
       const ir::Place& place = program.places[ir::PlaceId(inst.payload)];
       if (!place.is_field() && IsInput(place.space)) Hold(place, 0);
     }

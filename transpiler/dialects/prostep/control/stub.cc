@@ -75,19 +75,18 @@ uint64_t Stub::Call(const ir::HostFunction& function, std::span<const uint64_t> 
   return 0;
 }
 
-/// An input of the machine: the level stays until the scenario changes it, whatever the refresh copies.
-bool Stub::Written(const ir::Place& place, uint64_t value, dialects::ImagePort& image) {
-  static_cast<void>(value);
+/// An input of the machine: the level stays until the scenario changes it, whatever the refresh copies. It is the value
+/// that was set, which the image does not show while the input is forced.
+bool Stub::Written(const ir::Place& place, uint64_t value, dialects::ImagePort&) {
   if (place.is_field() || place.space != memory_[SpaceKey::kI]) return true;
   for (uint32_t port = 0; port < kMostInputBytes; ++port) {
     const uint32_t byte = InputByteOfPort(port);
     if (byte < place.offset || byte >= place.offset + ir::Bytes(place.type)) continue;
-    const uint8_t image_byte = image.Get(place.space, byte);
     if (place.type == ir::Type::kBit) {
       const auto mask = static_cast<uint8_t>(1u << place.bit);
-      inputs_[port] = static_cast<uint8_t>((inputs_[port] & ~mask) | (image_byte & mask));
+      inputs_[port] = static_cast<uint8_t>(value != 0 ? inputs_[port] | mask : inputs_[port] & ~mask);
     } else {
-      inputs_[port] = image_byte;
+      inputs_[port] = static_cast<uint8_t>(value >> 8 * (byte - place.offset));
     }
   }
   return true;
