@@ -19,10 +19,22 @@ std::string FirstTextOf(const std::string& text) {
 
 TEST(ProstepErrors, OutsideAModule) {
   EXPECT_THAT(ErrorsOf(":A I 0.0\n"), ElementsAre("1:2 E03"));
-  EXPECT_THAT(ErrorsOf(": K 5\n:\n:  ; text\nX:\n:BLAD\n:K\n"),
-              ElementsAre("1:3 E03", "4:1 E03", "5:2 E03", "6:2 E03"));
+  EXPECT_THAT(ErrorsOf(": K 5\n"), ElementsAre("1:3 E03"));
+  EXPECT_THAT(ErrorsOf("X:\n"), ElementsAre("1:1 E03"));
+  EXPECT_THAT(ErrorsOf(":BLAD\n"), ElementsAre("1:2 E03"));
+  EXPECT_THAT(ErrorsOf(":K\n"), ElementsAre("1:2 E03"));
+  EXPECT_THAT(ErrorsOf(":\n:  ; text\n"), IsEmpty());
   EXPECT_THAT(FirstTextOf(": K 5\n"), HasSubstr("'K 5' outside"));
   EXPECT_THAT(ErrorsOf("two words: x\n"), ElementsAre("1:1 E05"));
+}
+
+/// One MOD that is missing is one error (section 10), up to the next MOD or END.
+TEST(ProstepErrors, AMissingModIsOneCause) {
+  EXPECT_THAT(ErrorsOf(":A I 0.0\n:\nX:\n:BLAD\n: K 5\n:= O 0.0\n:END PM 9\n"), ElementsAre("1:2 E03"));
+  EXPECT_THAT(ErrorsOf(":NOP\n:NOP\n:MOD PM 1\n:BLAD\n:END PM 1\n:NOP\n:NOP\n"),
+              ElementsAre("1:2 E03", "4:2 E08", "6:2 E03"));
+  EXPECT_THAT(ErrorsOf(":NOP\n:END PM 9\n:NOP\n:END PM 10\n:END PM 11\n"),
+              ElementsAre("1:2 E03", "3:2 E03", "5:2 E20"));
 }
 
 TEST(ProstepErrors, Labels) {

@@ -89,6 +89,12 @@ TEST(TechnolParserErrors, Structure) {
       ElementsAre("4:1 TE062"));
 }
 
+/// The word is in error where it was to be a name, and nowhere else (10.5).
+TEST(TechnolParserErrors, AReservedWordIsOneError) {
+  EXPECT_THAT(ErrorsOf(InProgram("NE: DB 5\nS: DFM CH\n", "LOD NE\nSTO NE\nFL 1,CH\nLDR CH\n")),
+              ElementsAre("2:1 TE005", "3:8 TE005"));
+}
+
 TEST(TechnolParserErrors, SeveralFiles) {
   const std::string first = "DATA\nX: DS 1\nDATA_END\nMODULE_INIT\nLOD Y\nSTO X\nMODULE_INIT_END\n";
   Parsed parsed;

@@ -37,4 +37,13 @@ std::string_view NearestWord(std::string_view word, std::span<const std::string_
   return least <= most ? nearest : std::string_view();
 }
 
+std::string_view NearestName(std::string_view name, std::span<const std::string_view> names) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  const auto is_same = [&](std::string_view candidate) {
+    return candidate != name && std::ranges::equal(candidate, name, {}, lower, lower);
+  };
+  const auto same = std::ranges::find_if(names, is_same);
+  return same != names.end() ? *same : NearestWord(name, names);
+}
+
 }  // namespace plcxx::support

@@ -12,5 +12,7 @@ size_t EditDistance(std::string_view a, std::string_view b);
 
 /// The one word that is nearer to `word` than all others, and near enough; empty when there is none.
 std::string_view NearestWord(std::string_view word, std::span<const std::string_view> words);
+/// The same where capitals count: a name that differs from `name` in capitals alone is the nearest.
+std::string_view NearestName(std::string_view name, std::span<const std::string_view> names);
 
 }  // namespace plcxx::support

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "transpiler/support/check.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::host50 {
 namespace {
@@ -324,6 +325,12 @@ std::optional<Mnemonic> MnemonicByName(std::string_view word) {
   const auto row = std::ranges::lower_bound(rows, word, less, &SpellingRow::name);
   if (row == rows.end() || !EqualIgnoringCase(row->name, word)) return std::nullopt;
   return row->mnemonic;
+}
+
+std::string_view NearMnemonic(std::string_view word) {
+  std::vector<std::string_view> names;
+  for (const SpellingRow& row : kSpellings) names.push_back(row.name);
+  return support::NearestWord(word, names);
 }
 
 std::string_view TimerName(Op op, TimerUnit unit) {

@@ -174,6 +174,8 @@ struct Mnemonic {
 };
 /// Without regard to case, all spellings of 3.1; none for a word that is no instruction.
 std::optional<Mnemonic> MnemonicByName(std::string_view word);
+/// The mnemonic that is spelled nearly so; empty when none is.
+std::string_view NearMnemonic(std::string_view word);
 
 /// "TONS": the spelling with its unit.
 std::string_view TimerName(Op op, TimerUnit unit);

@@ -56,6 +56,9 @@ std::string_view ExpressionReader::MeantInExpression() const {
   if (before == '=' && text == "<") return "'less or equal' is '<='";
   if (before == '=' && text == ">") return "'greater or equal' is '>='";
   if (text == "!" && behind == '=') return "'not equal' is '<>'";
+  if (behind == '=' && (text == "+" || text == "-" || text == "*" || text == "/")) {
+    return "name the target again: %W1 = %W1 + 5";
+  }
   if (text == "!") return "there is no negation in an expression: compare with 0";
   if (before == '&' && text == "&")
     return "'and' is one '&', on the bits of integers; conditions are joined by contacts";
@@ -69,7 +72,7 @@ std::string_view ExpressionReader::MeantInExpression() const {
   if (c_form || h_form) return "a hexadecimal number begins with '$': $FF";
   if (EqualIgnoringCase(text, "AND")) return "'and' is '&', on the bits of integers";
   if (EqualIgnoringCase(text, "OR")) return "'or' is '|', on the bits of integers";
-  if (EqualIgnoringCase(text, "MOD")) return "there is no remainder: %W3 - %W3 / 10 * 10";
+  if (text == "%" || EqualIgnoringCase(text, "MOD")) return "there is no remainder: %W3 - %W3 / 10 * 10";
   return {};
 }
 

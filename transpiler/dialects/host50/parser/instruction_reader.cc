@@ -42,6 +42,10 @@ void InstructionReader::FaultOfUnknownInstruction(const Token& token) {
       {"CTD", "CNUD, the counter that counts up and down"},
       {"CTUD", "CNUD, the counter that counts up and down"},
       {"CNT", "CNUD, the counter that counts up and down"},
+      {"TMR", "TONMS, TONS or TONM, the timers that switch on with a delay"},
+      {"TIM", "TONMS, TONS or TONM, the timers that switch on with a delay"},
+      {"INC", "ADDW and 1: ADDW %W1, 1, %W1"},
+      {"DEC", "SUBW and 1: SUBW %W1, 1, %W1"},
       {"MOVE", "MOV"},
       {"ADD", "ADDW for integers, ADDF for floats"},
       {"MUL", "MULW for integers, MULF for floats"},
@@ -51,10 +55,12 @@ void InstructionReader::FaultOfUnknownInstruction(const Token& token) {
   std::string word(TextOf(token));
   std::ranges::transform(word, word.begin(), Upper);
   const auto* const other = std::ranges::find(kOtherNames, word, &OtherName::word);
-  if (other == std::end(kOtherNames)) {
-    Fault(token.range, diag::Host50UnknownInstruction, TextOf(token));
-  } else {
+  if (other != std::end(kOtherNames)) {
     Fault(token.range, diag::Host50UnknownInstructionHint, TextOf(token), other->meant);
+  } else if (const std::string_view near = NearMnemonic(word); !near.empty()) {
+    Fault(token.range, diag::Host50UnknownInstructionNear, TextOf(token), near);
+  } else {
+    Fault(token.range, diag::Host50UnknownInstruction, TextOf(token));
   }
 }
 

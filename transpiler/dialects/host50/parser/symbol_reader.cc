@@ -1,7 +1,11 @@
 #include "transpiler/dialects/host50/parser/symbol_reader.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "transpiler/dialects/host50/machine/signals.h"
 #include "transpiler/source/characters.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::host50 {
 namespace {
@@ -162,6 +166,25 @@ std::string SymbolReader::SymbolWithSign(const Token& token) {
   return {};
 }
 
+/// Only so many are compared with all symbols.
+void SymbolReader::FaultOfUnknownName(const Token& token, std::string_view name) {
+  constexpr uint32_t kMostSearches = 50;
+  if (EqualIgnoringCase(name, "NOT")) {
+    Fault(token.range, diag::Host50NotInOperand, name);
+    return;
+  }
+  std::vector<std::string_view> names;
+  if (++near_searches_ <= kMostSearches) {
+    for (const Symbol& symbol : program_.symbols) names.push_back(symbol.name);
+  }
+  const std::string_view near = support::NearestName(name, names);
+  if (near.empty()) {
+    Fault(token.range, diag::Host50UnknownSymbol, name);
+  } else {
+    Fault(token.range, diag::Host50UnknownSymbolNear, name, near);
+  }
+}
+
 SymbolReader::Resolved SymbolReader::ResolveName(const Token& token, std::string_view name,
                                                  std::string_view attribute) {
   if (poisoned_names_.contains(name)) {
@@ -174,7 +197,7 @@ SymbolReader::Resolved SymbolReader::ResolveName(const Token& token, std::string
     if (quoted.empty() && IsAddressWithoutSign(name)) {
       Fault(token.range, diag::Host50UnknownSymbolAddress, name);
     } else if (quoted.empty()) {
-      Fault(token.range, diag::Host50UnknownSymbol, name);
+      FaultOfUnknownName(token, name);
     } else {
       Fault(token.range, diag::Host50UnknownSymbolQuoted, name, quoted);
     }

@@ -34,12 +34,14 @@ class SymbolReader : private StatementReader {
   void FaultOfAddressNumber(const Token& token);
   std::string SymbolWithSign(const Token& token);
   bool IsAddressWithoutSign(std::string_view name) const;
+  void FaultOfUnknownName(const Token& token, std::string_view name);
   Resolved ResolveName(const Token& token, std::string_view name, std::string_view attribute);
   std::string RangesText(Area area) const;
 
   std::map<std::string, SymbolId, std::less<>> names_;
   std::set<std::string, std::less<>> poisoned_names_;  // defined with a fault
   std::set<std::pair<Area, uint16_t>> named_addresses_;
+  uint32_t near_searches_ = 0;
 };
 
 }  // namespace plcxx::host50

@@ -111,7 +111,11 @@ ExprId AssignmentReader::ParseParameterConstant(OperandKind target) {
   }
   const bool timer = target == OperandKind::kTimerInput;
   if (timer && (constant.value < 1 || constant.value > 255)) {
-    Fault(constant.range, diag::Nc110DelayRange, constant.text);
+    if (constant.value < 1) {
+      Fault(constant.range, diag::Nc110DelayNone, constant.text);
+    } else {
+      Fault(constant.range, diag::Nc110DelayRange, constant.text);
+    }
     return ErrorExpr(constant.range);
   }
   if (!timer && (constant.value < 2 || constant.value > 255)) {

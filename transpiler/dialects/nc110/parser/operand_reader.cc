@@ -1,5 +1,9 @@
 #include "transpiler/dialects/nc110/parser/operand_reader.h"
 
+#include <vector>
+
+#include "transpiler/support/near_words.h"
+
 namespace plcxx::nc110 {
 
 constexpr uint32_t kMaxOperands = 1024;
@@ -28,12 +32,27 @@ OperandUse OperandReader::TakeOperand() {
     if (Decode(name).fault == OperandFault::kNone) {
       Fault(token.range, diag::Nc110SymbolIsAddress, name);
     } else {
-      Fault(token.range, diag::Nc110SymbolUndefined, name);
+      FaultOfUndefined(token, name);
     }
   } else {
     now_.failed = true;
   }
   return use;
+}
+
+/// Only so many are compared with all symbols.
+void OperandReader::FaultOfUndefined(const Token& token, std::string_view name) {
+  constexpr size_t kMostSearches = 50;
+  std::vector<std::string_view> names;
+  if (undefined_.size() <= kMostSearches) {
+    for (const Symbol& symbol : program_.symbols) names.push_back(symbol.name);
+  }
+  const std::string_view near = support::NearestName(name, names);
+  if (near.empty()) {
+    Fault(token.range, diag::Nc110SymbolUndefined, name);
+  } else {
+    Fault(token.range, diag::Nc110SymbolNear, name, near);
+  }
 }
 
 /// Says what is meant where that is plain: words of other languages, numbers without their first digit, timers and

@@ -34,6 +34,7 @@ class OperandReader : private ItemReader {
 
  private:
   SymbolId FindSymbol(std::string_view name) const;
+  void FaultOfUndefined(const Token& token, std::string_view name);
 
   OpenBlocks& open_blocks_;
   std::map<std::string, SymbolId, std::less<>> symbols_;  // by the first 10 characters

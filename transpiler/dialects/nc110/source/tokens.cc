@@ -370,6 +370,22 @@ std::string CauseOfForeignAddress(std::string_view capitals) {
   return {};
 }
 
+/// T5 and C1 without a field, T5Q and C1U with one that there is not.
+std::string CauseOfField(const std::string& capitals) {
+  const bool lettered = capitals.size() > 2 && IsLetter(capitals.back());
+  const std::string name = lettered ? capitals.substr(0, capitals.size() - 1) : capitals;
+  if (!std::ranges::all_of(std::string_view(name).substr(1), IsDigit)) return CauseOfForeignAddress(capitals);
+  if (name.front() == 'T') {
+    return "name a field of the timer: " + name + "I starts it, " + name + "U is 1 when it is over, " + name +
+           "D while it runs, " + name + "A stops it";
+  }
+  if (name.front() == 'C') {
+    return "name a field of the counter: " + name + "I counts, " + name + "A turns the direction, " + name +
+           "Z resets, " + name + "W is the value, " + name + "R the carry";
+  }
+  return CauseOfForeignAddress(capitals);
+}
+
 }  // namespace
 
 std::string Capitals(std::string_view run) {
@@ -388,17 +404,7 @@ std::string CauseOfUnknown(std::string_view run) {
   if (capitals.back() == 'H' && std::ranges::all_of(inner, IsHexDigit)) {
     return "a hexadecimal number begins with a digit: 0" + capitals;
   }
-  const std::string_view number = std::string_view(capitals).substr(1);
-  if (!std::ranges::all_of(number, IsDigit)) return CauseOfForeignAddress(capitals);
-  if (capitals.front() == 'T') {
-    return "name a field of the timer: " + capitals + "I starts it, " + capitals + "U is 1 when it is over, " +
-           capitals + "D while it runs, " + capitals + "A stops it";
-  }
-  if (capitals.front() == 'C') {
-    return "name a field of the counter: " + capitals + "I counts, " + capitals + "A turns the direction, " + capitals +
-           "Z resets, " + capitals + "W is the value, " + capitals + "R the carry";
-  }
-  return CauseOfForeignAddress(capitals);
+  return CauseOfField(capitals);
 }
 
 Operand OperandFromText(std::string_view text) {

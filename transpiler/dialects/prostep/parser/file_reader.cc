@@ -92,6 +92,7 @@ void FileReader::ReportOutside(const Statement& statement) {
     labels_.TheLabel(statement);
     return;
   }
+  modules_.BeginOutside();
   if (statement.tokens.empty()) {
     const source::Range range = {statement.labels.front().range.begin, statement.labels.back().range.end};
     diagnostics_.Report(range, diag::ProstepOutside, sources_.Text(range));

@@ -1,5 +1,7 @@
 #include "transpiler/dialects/prostep/parser/module_reader.h"
 
+#include <utility>
+
 namespace plcxx::prostep {
 namespace {
 
@@ -39,6 +41,7 @@ std::optional<uint32_t> ModuleReader::ClosedNumber(const Statement& statement) {
 
 void ModuleReader::OpenModule(const Statement& statement) {
   const Span comments = comments_.TakeComments();
+  outside_ = false;
   const Token* label = labels_.TheLabel(statement);
   if (label != nullptr) diagnostics_.Report(label->range, diag::ProstepLabelOnModule, TextOf(*label));
   const auto number = ModuleNumber(statement);
@@ -87,13 +90,14 @@ void ModuleReader::CloseModule(const Statement& statement) {
   const auto number = ClosedNumber(statement);
   instructions_.WarnOfComment(statement, false);
   const bool abandoned = number && abandoned_.contains(*number);
+  const bool outside = std::exchange(outside_, false);
   if (!now_.module.valid()) {
     const Span comments = comments_.TakeComments();
     Span ignored = comments;
     comments_.AttachTrailing(ignored, statement.comment);
     if (abandoned) {
       abandoned_.erase(*number);
-    } else if (number) {
+    } else if (number && !outside) {
       diagnostics_.Report(statement.range, diag::ProstepEndWithoutModule, ModuleName(*number));
     }
     return;
@@ -131,7 +135,7 @@ void ModuleReader::EndFile() {
     LeaveModule({});
   }
   abandoned_.clear();
-  forgiving_ = false;
+  forgiving_ = outside_ = false;
   program_.files.back().rest = comments_.TakeComments();
 }
 

@@ -27,8 +27,10 @@ class ModuleReader : private LineReader {
   void OpenModule(const Statement& statement);
   void CloseModule(const Statement& statement);
   void EndFile();
-  /// What stands outside has its cause in a module within a module.
-  bool is_forgiving() const { return forgiving_; }
+  /// What stands outside has its cause in a module within a module, or has been reported: one missing MOD is one error,
+  /// whatever the length of its module and with its END.
+  bool is_forgiving() const { return forgiving_ || outside_; }
+  void BeginOutside() { outside_ = true; }
 
  private:
   /// The number after MOD or END; none when it is wrong (reported).
@@ -43,6 +45,7 @@ class ModuleReader : private LineReader {
   BracketChecker& brackets_;
   std::string faulty_module_;  // the operand of a MOD whose number is wrong
   bool forgiving_ = false;
+  bool outside_ = false;          // reported: until the next MOD or END
   std::set<uint32_t> abandoned_;  // numbers of modules that an inner MOD closed and that wait for their END
 };
 

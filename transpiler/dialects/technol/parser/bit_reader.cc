@@ -20,11 +20,18 @@ bool BitReader::IsSingleBit() {
   return false;
 }
 
-/// IN0.1 for the second bit of a DFM: what that bit is called. Empty: the cell is no byte of a DFM.
+/// IN0.1 for the second bit of a byte: what that bit is called, or how it gets a name. Empty: the cell is no byte.
 std::string BitReader::BitOfByte(SymbolId cell) const {
   const auto is_bit_of = [&](const Symbol& symbol) { return symbol.kind == SymbolKind::kBit && symbol.byte == cell; };
-  if (std::ranges::none_of(context_.program.symbols, is_bit_of)) return {};
   const std::string name = context_.names[cell].name;
+  if (std::ranges::none_of(context_.program.symbols, is_bit_of)) {
+    if (context_.names[cell].width != 8) return {};
+    if (context_.names[cell].origin == SymbolOrigin::kSource) {
+      return "'" + name + "' is a byte: bits get their names where it is declared, by DFM: " + name +
+             ": DFM FIRST,SECOND";
+    }
+    return "'" + name + "' is a byte of the control: DFM gives its bits names, in DATA: " + name + ": DFM FIRST,SECOND";
+  }
   const Token* digits = reader_.IsPunctuation('.') ? reader_.Peek(1) : nullptr;
   const Number number = digits == nullptr ? Number{} : ReadNumber(digits->text);
   if (digits == nullptr || number.fault != NumberFault::kNone || number.value > 7) {
@@ -54,7 +61,10 @@ std::optional<Operand> BitReader::ReadBitName() {
   if (reader_.IsPunctuation('.', 1) && (upper == "BYTE" || upper == "WORD" || upper == "DWRD" || upper == "CNST")) {
     return refuse(upper == "CNST" ? "a constant" : "data");
   }
-  if (RegisterByName(upper) != Register::kNone) return refuse("a register");
+  if (RegisterByName(upper) != Register::kNone) {
+    if (context_.IsReportedAsName(upper)) context_.Forgive();
+    return refuse("a register");
+  }
   const SymbolId symbol = ReadName("the name of a bit");
   if (!symbol.valid()) return std::nullopt;
   const Symbol& named = context_.names[symbol];

@@ -142,7 +142,7 @@ bool MemoryReader::ReadIndexRegister(Address& address) {
   const Token& token = reader_.Take();
   const Register reg = RegisterByName(Upper(token.text));
   if (std::ranges::find(kIndexRegisters, reg) == std::end(kIndexRegisters)) {
-    context_.Report(token.range, diag::TechnolSyntax, Shown(&token), "BX, SI, DI, EBX, ESI or EDI as an index");
+    context_.Report(token.range, diag::TechnolIndexRegister, Shown(&token));
     return false;
   }
   if (address.index != Register::kNone) {

@@ -1,6 +1,17 @@
 #include "transpiler/dialects/technol/parser/operand_reader.h"
 
 namespace plcxx::technol {
+namespace {
+
+/// How the operands of instructions with a comma are written, as a remedy.
+std::string_view OperandsOf(Form form) {
+  if (form == Form::kFlag) return "0,BIT or 1,BIT";
+  if (form == Form::kDelay) return "CELL,TIME, with '-' as the cell of an automatic timer";
+  if (form == Form::kWaitLimit) return "CELL,TIME,LABEL, with '-' as the cell of an automatic timer";
+  return "and its two operands, with a comma between them";
+}
+
+}  // namespace
 
 void OperandReader::Add(Operand operand, size_t first) {
   operand.range = instruction_.expansion.valid() ? instruction_.range : reader_.RangeFrom(first);
@@ -9,7 +20,8 @@ void OperandReader::Add(Operand operand, size_t first) {
 
 bool OperandReader::ExpectComma() {
   if (reader_.TakePunctuation(',')) return true;
-  context_.Report(reader_.Here(), diag::TechnolSyntax, Shown(reader_.Peek()), "','");
+  context_.Report(reader_.Here(), diag::TechnolCommaMissing, Shown(reader_.Peek()), mnemonic_,
+                  OperandsOf(Info(instruction_.op).form));
   return false;
 }
 

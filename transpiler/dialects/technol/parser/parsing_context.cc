@@ -38,13 +38,16 @@ std::string ParsingContext::NearName(std::string_view name) {
   constexpr uint32_t kMostSearches = 50;
   if (++near_searches_ > kMostSearches) return {};
   const std::string folded = names.Fold(name);
-  std::vector<std::string> spelled;
-  for (const Symbol& symbol : program.symbols) {
-    if (symbol.origin == SymbolOrigin::kSource) spelled.push_back(names.Fold(symbol.name));
+  for (const bool of_source : {true, false}) {  // the control's names are many: the program's own come first
+    std::vector<std::string> spelled;
+    for (const Symbol& symbol : program.symbols) {
+      if ((symbol.origin == SymbolOrigin::kSource) == of_source) spelled.push_back(names.Fold(symbol.name));
+    }
+    const std::vector<std::string_view> words(spelled.begin(), spelled.end());
+    const std::string_view near = support::NearestWord(folded, words);
+    if (!near.empty()) return program.symbols[names.Find(near)].name;
   }
-  const std::vector<std::string_view> words(spelled.begin(), spelled.end());
-  const std::string_view near = support::NearestWord(folded, words);
-  return near.empty() ? std::string() : program.symbols[names.Find(near)].name;
+  return {};
 }
 
 bool ParsingContext::IsShort(const Token& token) {
@@ -81,6 +84,12 @@ void ParsingContext::ReportReserved(const Token& token, std::string_view behind)
   } else if (word == "START") {
     Report(token.range, diag::TechnolReservedMeant, token.text,
            "START is another word for DATA_END: choose another name");
+  } else if (!reserved_.insert(word).second) {
+    Forgive();
+  } else if (RegisterByName(word) != Register::kNone) {
+    Report(token.range, diag::TechnolReservedMeant, token.text, word + " is a register: choose another name");
+  } else if (OpByMnemonic(word) != Op::kUnknown) {
+    Report(token.range, diag::TechnolReservedMeant, token.text, word + " is an instruction: choose another name");
   } else {
     Report(token.range, diag::TechnolReserved, token.text);
   }

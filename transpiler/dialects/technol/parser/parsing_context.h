@@ -50,9 +50,12 @@ class ParsingContext : private dialects::FaultReporter {
   /// The statement says nothing more: its cause has been reported elsewhere.
   void Forgive() { faulty = true; }
 
+  /// The reserved word has been reported as a name: its uses are no errors of their own.
+  bool IsReportedAsName(std::string_view word) const { return reserved_.contains(word); }
   /// An undefined name, once for each name.
   void ReportUndefined(std::string_view name, source::Range range);
-  /// `behind`: the text of the next token, where a reserved word may be meant with it.
+  /// Once for each word that was to be a name. `behind`: the text of the next token, where the word may be meant with
+  /// it.
   void ReportReserved(const Token& token, std::string_view behind);
   /// At most 31 characters (TE003), reported once for each name.
   bool IsShort(const Token& token);
@@ -73,11 +76,11 @@ class ParsingContext : private dialects::FaultReporter {
   bool faulty = false;
 
  private:
-  /// The name of the program that is spelled nearly so; empty when none is.
+  /// The name of the program or the control that is spelled nearly so; empty when none is.
   std::string NearName(std::string_view name);
 
   uint32_t near_searches_ = 0;
-  std::set<std::string, std::less<>> undefined_, too_long_;
+  std::set<std::string, std::less<>> undefined_, too_long_, reserved_;
 };
 
 /// "'X'", or "the end of the line": a token for messages.
