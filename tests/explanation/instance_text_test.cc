@@ -27,5 +27,16 @@ TEST(InstancePredicate, BeginsWithAVerbInEachKind) {
   }
 }
 
+// A counter of host50 counts from a negative preset, or down to one; a timer's milliseconds have no sign.
+TEST(InstanceText, ACounterBelowZeroHasASign) {
+  ir::Program program;
+  const ir::StateId state = program.states.Add({.kind = ir::StateKind::kPositionCounter, .name = "C1"});
+  sim::Instances instances(program);
+  instances.Write(state.index, ir::FieldIndex(ir::StateKind::kPositionCounter, "preset"), static_cast<uint32_t>(-2));
+  EXPECT_EQ(InstanceText(program, state, instances), "value 0, preset -2, output 0");
+  EXPECT_EQ(FieldDigits(ir::StateKind::kPositionCounter, ir::Type::kBit, 1), "1");
+  EXPECT_EQ(FieldDigits(ir::StateKind::kOnDelayTimer, ir::Type::kI32, 0xFFFFFFFE), "4294967294");
+}
+
 }  // namespace
 }  // namespace plcxx::explanation

@@ -233,7 +233,8 @@ class Builder {
     };
     const bool before = key.kind == VariableKind::kBefore;
     if (exact != nullptr) {
-      const std::string value = sim::ValueDigits(exact->type, part_.Value(members.front().term));
+      const std::string value =
+          FieldDigits(program_.states[state].kind, exact->type, part_.Value(members.front().term));
       add(value, "is " + value);
     } else if (!before) {
       const bool one = HasOneField(program_.states[state].kind);
@@ -285,7 +286,7 @@ class Builder {
       const execute::Cell cell = execute::CellAt(program_, subject_.cells, member.variable->cell);
       const ir::FieldInfo& field = ir::Info(program_.states[state].kind).fields[cell.field];
       text += (text.empty() ? "" : ", ") + std::string(field.name) + " " +
-              sim::ValueDigits(field.type, part_.Value(member.term));
+              FieldDigits(program_.states[state].kind, field.type, part_.Value(member.term));
     }
     return text;
   }

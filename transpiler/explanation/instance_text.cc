@@ -65,7 +65,7 @@ std::string FieldsText(ir::StateKind kind, uint32_t instance, const sim::Instanc
   for (uint8_t field = 0; field < count; ++field) {
     if (!IsShown(fields[field])) continue;
     text += (text.empty() ? "" : ", ") + (with_names ? std::string(fields[field].name) + " " : "") +
-            sim::ValueDigits(fields[field].type, instances.Read(instance, field));
+            FieldDigits(kind, fields[field].type, instances.Read(instance, field));
   }
   return text;
 }
@@ -102,6 +102,11 @@ std::string InstancePredicate(const ir::Program& program, ir::StateId state, con
   if (text.empty()) return "is as the scan before left it";
   // Of one field alone the name says nothing: what an edge has kept is called "was".
   return "had " + FieldsText(kind, state.index, instances, !HasOneField(kind));
+}
+
+std::string FieldDigits(ir::StateKind kind, ir::Type type, uint64_t value) {
+  const bool has_sign = kind == ir::StateKind::kPositionCounter && type == ir::Type::kI32;
+  return sim::ValueDigits(type, value, has_sign ? sim::Sign::kTwosComplement : sim::Sign::kNone);
 }
 
 bool IsTimer(ir::StateKind kind) {
