@@ -123,6 +123,17 @@ TEST(CommandLine, WordsThatAreNoCommand) {
   EXPECT_THAT(work.Run("emit --nosuch").errors, HasSubstr("plcxx emit --help tells how it is used"));
 }
 
+// Whoever reads a verdict and the help alone knows what it is good for, and what is not meant by it.
+TEST(CommandLine, HelpSaysWhatAVerdictClaimsAndWhatNot) {
+  const Workplace work;
+  for (const char* command : {"diff", "prove", "verify"}) {
+    const std::string help = work.Run(std::string(command) + " --help").out;
+    EXPECT_THAT(help, AllOf(HasSubstr("What a verdict claims:\n  proved"), HasSubstr("nothing, and it is no success: "),
+                            HasSubstr("It does not claim that ")))
+        << command;
+  }
+}
+
 TEST(CommandLine, ReportSaysWhatItWrote) {
   const Workplace work;
   work.Write("ok.plc", kGoodProgram);

@@ -28,6 +28,13 @@ constexpr const char* kDiffFooter =
 to differ by a run, or listed as not decided. Renamed and moved statements, and logic written in another way, come out
 as equal. The slow part is compared as a whole pass, however it is sliced.
 
+What a verdict claims:
+  proved equal   whatever inputs, control and host functions do, scan after scan, also after power failures: the same
+  different      in the run that is shown, which both versions were executed with
+  not decided    nothing, and it is no success: more --time, a scenario near the change, or a reviewer decides
+It does not claim that either version is right (plcxx prove), that their compiled code is (plcxx verify), or that both
+take the same time; what was left out or not looked at is named in its first line. docs/review.md has the whole list.
+
 Examples:
   plcxx diff main..                                        the program of plcxx.yaml, against the work tree
   plcxx diff old/turret.plc turret.plc                     two files

@@ -43,6 +43,13 @@ What is looked at is the state after each period, for all inputs, from power-on 
 slow passes, fast passes or ms, which are rounded up to periods. The slow part is taken as one piece, also where it
 is cut into slices.
 
+What a verdict claims:
+  proved         it holds in every run from there, whatever inputs and the control do (--any-retentive: with any memory kept)
+  VIOLATED       in the run that is shown, which was executed
+  not decided    nothing, and it is no success: more --time, a scenario near it, or a simpler property
+It does not claim that the property says what the machine needs (a note says where it says little), nor anything of
+moments inside of a period, of the compiled code (plcxx verify), of terminals and host functions.
+
 --plant lets the machine move in runs that are tried: a violation that it shows is preferred to one that only inputs show
 which it does not give. What is proved is proved for every input all the same, whatever the plant does.
 

@@ -57,6 +57,13 @@ What is decided is printed when it is, the verdict last.
 What is told of a routine that is not: the first values that differ, and a state before it that shows it.
 Then the facts that plcxx has decided from, ranges and bounds that test --checked executes: each is proved for every
 state, or listed with its statement; one that does not hold with a state from which the simulator shows it.
+
+What a verdict claims:
+  proved         these functions, compiled so, do what the program means, for every state and every input
+  different      from the state that is shown they do not
+  not decided    nothing, and it is no success: more --time, or plcxx test, which executes the function
+It does not claim that the program does what the machine needs (plcxx test, prove), that another compiler or other flags
+give the same, that there is time and stack enough (plcxx build), or that host functions, linker and processor are right.
 Assumed is what the certificate lists.
 Exit codes: 0 all proved, 1 errors, a difference or something not decided, 2 wrong use, 3 a fault of plcxx.)";
 
