@@ -50,6 +50,43 @@ TEST(BadInput, MissingOrDirectory) {
   ExpectRefused(work, ".", "directory");
 }
 
+// The remedy is that of the cause, in the words of every dialect.
+TEST(BadInput, EachCauseHasItsRemedy) {
+  const Workplace work;
+  std::filesystem::create_directory(work.Path("folder.x"));
+  work.Write("empty.x", "");
+  work.Write("utf16.x", std::string("\xFF\xFEI\0", 4));
+  work.Write("object.x", std::string("a\0b", 3));
+  const struct {
+    const char *source, *remedy;
+  } cases[] = {{"missing.x", "help: check its name"},
+               {"folder.x", "help: name the files in it; 'plcxx init' makes a project"},
+               {"empty.x", "help: copy it again from the control"},
+               {"utf16.x", "help: save it as UTF-8, as 'iconv -f UTF-16 -t UTF-8' does"},
+               {"object.x", "help: name the file with the text of the program"}};
+  for (const char* dialect : {"", "classicladder", "hnc", "host50", "nc110", "prostep", "technol"}) {
+    const std::string chosen = *dialect == '\0' ? "" : " --dialect " + std::string(dialect);
+    for (const auto& [source, remedy] : cases) {
+      // In technol an empty file is one of several that make a program: what it lacks is said as of any other.
+      if (std::string_view(dialect) == "technol" && std::string_view(source) == "empty.x") continue;
+      EXPECT_THAT(work.Run("check " + std::string(source) + chosen).errors, HasSubstr(remedy)) << source << chosen;
+    }
+  }
+  // What was cut off is seen where the program comes through a pipe or is not yet saved, too.
+  EXPECT_THAT(work.Run("check - --dialect nc110", "; \xD0\x96\xD0").errors, HasSubstr("help: copy it again, its end"));
+}
+
+// Nobody wrote --git: what is missing is said, and what to write instead.
+TEST(BadInput, ADiffWithoutARepository) {
+  const Workplace work;
+  work.Write("ok.plc", kGoodProgram);
+  EXPECT_EQ(work.Run("init").code, 0);
+  const Ran ran = work.Run("diff", "", "GIT_CEILING_DIRECTORIES='" + work.Path("..") + "'");
+  EXPECT_EQ(ran.code, 2) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("git has no version here ("));
+  EXPECT_THAT(ran.errors, HasSubstr("): name both, as in 'plcxx diff OLD NEW'"));
+}
+
 TEST(BadInput, Unreadable) {
   if (geteuid() == 0) GTEST_SKIP() << "root reads everything";
   const Workplace work;

@@ -134,6 +134,19 @@ TEST(CommandLine, HelpSaysWhatAVerdictClaimsAndWhatNot) {
   }
 }
 
+// Where the options of a command belong is said with the command line as it would be right.
+TEST(CommandLine, OptionsInFrontOfTheCommand) {
+  const Workplace work;
+  const Ran ran = work.Run("--project plcxx.yaml check");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.errors,
+            "plcxx: error: the command comes first, its options after it: plcxx check --project plcxx.yaml\n"
+            "plcxx --help tells how it is used\n");
+  EXPECT_THAT(work.Run("--quiet emit a.plc -o out").errors, HasSubstr(": plcxx emit --quiet a.plc -o out\n"));
+  EXPECT_THAT(work.Run("--project=x.yaml").errors, HasSubstr("'--project' is no option of plcxx itself"));
+  EXPECT_EQ(work.Run("-h").out, work.Run("--help").out);
+}
+
 TEST(CommandLine, ReportSaysWhatItWrote) {
   const Workplace work;
   work.Write("ok.plc", kGoodProgram);

@@ -127,6 +127,8 @@ TEST_F(Why, WrongUseHasARemedy) {
   EXPECT_THAT(work.Run("why U4A8").errors,
               HasSubstr("name a scenario with --scenario FILE or a trace with --vcd FILE, or ask with --can"));
   EXPECT_THAT(Ask(steps, "U4AA8").errors, HasSubstr("'U4AA8' is no location of nc110, did you mean 'U4A8'"));
+  EXPECT_THAT(Ask(steps, "SOMETHING").errors,
+              HasSubstr("'SOMETHING' is no location of nc110; 'plcxx report --print-symbols' lists those of the"));
   EXPECT_THAT(Ask(steps, "U4A8 --step 7").errors, HasSubstr("--step 7: s.yaml has the steps 1 to 1"));
   EXPECT_THAT(Ask(steps, "U4A8 --at soon").errors, HasSubstr("is no time: write it as in 1200ms"));
   EXPECT_THAT(Ask(steps, "U4A8 --step 1 --at 3s").errors, HasSubstr("leave one of them out"));

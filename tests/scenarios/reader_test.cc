@@ -140,6 +140,16 @@ TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
           "power_cycle",
           "s.yaml:3:18: 'hours' is no key of 'run'; there are: slow, fast, ms, s"));
   EXPECT_THAT(Errors("steps:\n- exepct: {A: 1}\n"), ElementsAre(testing::HasSubstr("did you mean 'expect'")));
+  // A colon that is missing, or a blank after it, makes a key or a word of the whole step.
+  for (const std::string set : {"set {A: 1}", "set:{A: 1}", "set [A]", "set A"}) {
+    EXPECT_THAT(Errors("steps:\n- " + set + "\n"),
+                ElementsAre(testing::AllOf(testing::StartsWith("s.yaml:2:3: 'set"), testing::HasSubstr("is no step"),
+                                           testing::HasSubstr("help: write 'set: ', with a colon and a blank"))))
+        << set;
+  }
+  EXPECT_THAT(Errors("steps:\n- power_cycle\n"), ElementsAre(testing::HasSubstr("write 'power_cycle: '")));
+  EXPECT_THAT(Errors("steps:\n- settle\n"),
+              ElementsAre("s.yaml:2:3: 'settle' is no step\n  help: a step is '- key: value'"));
   EXPECT_THAT(Errors("expect_error: {lines: 7}"),
               ElementsAre("s.yaml:1:16: 'lines' is no key of 'expect_error'; there are: line, contains, file\n"
                           "  help: did you mean 'line'"));
@@ -187,7 +197,8 @@ TEST(ScenarioReader, FilesThatCannotBeRead) {
     return std::get<std::vector<ScenarioError>>(ReadScenario(path)).at(0).message;
   };
   EXPECT_EQ(error("/nowhere/s.yaml"), "there is no such file");
-  EXPECT_EQ(error("/"), "not a file");
+  EXPECT_EQ(error("/"), "a directory: name the file in it that is the scenario");
+  EXPECT_EQ(error("/dev/null"), "not a file, but a device or a pipe");
 }
 
 }  // namespace

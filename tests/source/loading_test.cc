@@ -8,6 +8,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "tests/source/loading.h"
 #include "tests/temporary_directory.h"
@@ -102,8 +103,19 @@ TEST_F(Loading, NulBytesAreNoText) {
 
 TEST_F(Loading, Utf16IsNamed) {
   const LoadError error = Error(std::string_view("\xFF\xFEU\0", 4));
-  EXPECT_EQ(error.problem, LoadProblem::kBinary);
+  EXPECT_EQ(error.problem, LoadProblem::kUtf16);
   EXPECT_NE(error.detail.find("UTF-16"), std::string::npos);
+}
+
+// One remedy for two causes would be wrong for one of them; what is too large as a whole or in a line is not the file.
+TEST_F(Loading, EachCauseHasItsRemedy) {
+  std::set<std::string_view> remedies;
+  for (const LoadProblem problem :
+       {LoadProblem::kMissing, LoadProblem::kDirectory, LoadProblem::kUnreadable, LoadProblem::kTooLarge,
+        LoadProblem::kBinary, LoadProblem::kUtf16, LoadProblem::kCutOff, LoadProblem::kEmpty})
+    EXPECT_TRUE(remedies.insert(RemedyOf(problem)).second) << RemedyOf(problem);
+  EXPECT_FALSE(remedies.contains(""));
+  EXPECT_EQ(RemedyOf(LoadProblem::kLineTooLong), RemedyOf(LoadProblem::kTooLarge));
 }
 
 TEST_F(Loading, ALongLine) {

@@ -34,7 +34,7 @@ class Reader {
     }
     const auto text = texts_.find(path);
     if (text == texts_.end()) return source::ReadBytes(path, max_bytes);
-    if (text->second.empty()) return source::LoadError{source::LoadProblem::kEmpty, {}};
+    if (text->second.empty()) return source::LoadError{source::LoadProblem::kEmpty, "it is empty"};
     if (text->second.size() > max_bytes) return source::TooLarge(max_bytes);
     return text->second;
   }
@@ -66,30 +66,9 @@ std::variant<source::FileId, source::LoadError> LoadOne(source::SourceManager& s
   if (auto* error = std::get_if<source::LoadError>(&bytes)) return std::move(*error);
   const std::string& text = std::get<std::string>(bytes);
   if (IsCutOff(text, options)) {
-    return source::LoadError{source::LoadProblem::kBinary, "it ends in the middle of a UTF-8 character"};
+    return source::LoadError{source::LoadProblem::kCutOff, "it ends in the middle of a UTF-8 character"};
   }
   return sources.AddBytes(path == kStandardInput ? std::string(kStandardInputName) : path, text, options);
-}
-
-std::string ReasonOf(const source::LoadError& error) {
-  if (!error.detail.empty()) return error.detail;
-  switch (error.problem) {
-    case source::LoadProblem::kMissing:
-      return "no such file";
-    case source::LoadProblem::kDirectory:
-      return "it is a directory";
-    case source::LoadProblem::kUnreadable:
-      return "it cannot be opened";
-    case source::LoadProblem::kTooLarge:
-      return "it is too large";
-    case source::LoadProblem::kLineTooLong:
-      return "line " + std::to_string(error.line) + " is too long";
-    case source::LoadProblem::kBinary:
-      return "it is no text";
-    case source::LoadProblem::kEmpty:
-      return "it is empty";
-  }
-  return {};
 }
 
 /// The text for recognition, from a source manager of its own: another dialect may read the file in another way.
@@ -99,7 +78,8 @@ std::string PeekText(Reader& reader, const std::string& path, const source::Load
   source::SourceManager scratch;
   const auto loaded = LoadOne(scratch, reader, path, options);
   if (const auto* file = std::get_if<source::FileId>(&loaded)) return scratch.Get(*file).text;
-  diagnostics.Report({}, diag::CannotReadSource, path, ReasonOf(std::get<source::LoadError>(loaded)));
+  const auto& error = std::get<source::LoadError>(loaded);
+  diagnostics.Report({}, diag::CannotReadSource, path, error.detail, source::RemedyOf(error.problem));
   return {};
 }
 

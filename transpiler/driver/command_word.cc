@@ -10,7 +10,24 @@ namespace {
 
 constexpr size_t kLongestWord = 40;  // of what may be a command written wrongly
 
+bool IsCommand(const CLI::App& app, const std::string& word) {
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  return std::ranges::any_of(commands, [&](const CLI::App* command) { return command->get_name() == word; });
+}
+
 }  // namespace
+
+std::string OptionsInFront(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty() || !words.front().starts_with('-')) return {};
+  const std::string name = words.front().substr(0, words.front().find('='));
+  if (name == "-" || app.get_option_no_throw(name) != nullptr) return {};
+  const auto command = std::ranges::find_if(words, [&](const std::string& word) { return IsCommand(app, word); });
+  if (command == words.end()) return "'" + name + "' is no option of plcxx itself; the command comes first";
+  std::string right = *command;
+  for (auto word = words.begin(); word != words.end(); ++word)
+    if (word != command) right += " " + *word;
+  return "the command comes first, its options after it: plcxx " + right;
+}
 
 std::string TakeHelpWord(const CLI::App& app, std::vector<std::string>& words) {
   if (words.empty() || words.front().starts_with('-')) return {};

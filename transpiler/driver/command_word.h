@@ -7,6 +7,10 @@
 
 namespace plcxx::driver {
 
+/// What is wrong where the options of a command are in front of it; empty: nothing. The first word of `words` that is a
+/// command is taken for it.
+std::string OptionsInFront(const CLI::App& app, const std::vector<std::string>& words);
+
 /// "help" and "help COMMAND" become --help. Gives what is wrong with the first word; empty: nothing.
 std::string TakeHelpWord(const CLI::App& app, std::vector<std::string>& words);
 

@@ -80,7 +80,8 @@ int Main(int argc, char** argv) {
   AddMcp(app, run);
   AddIdentify(app, run);
   std::vector<std::string> words(argv + 1, argv + argc);
-  const std::string unknown = TakeHelpWord(app, words);
+  std::string unknown = OptionsInFront(app, words);
+  if (unknown.empty()) unknown = TakeHelpWord(app, words);
   if (!unknown.empty()) {
     PrintUsageError(unknown);
     std::cerr << "plcxx --help tells how it is used\n";

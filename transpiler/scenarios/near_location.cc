@@ -27,8 +27,9 @@ std::string DidYouMeanLocation(const dialects::Dialect& dialect, const ir::Progr
 }
 
 std::string NoSuchLocation(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text) {
+  const std::string near = DidYouMeanLocation(dialect, program, text);
   return "'" + std::string(text) + "' is no location of " + std::string(dialect.name) +
-         DidYouMeanLocation(dialect, program, text);
+         (near.empty() ? "; 'plcxx report --print-symbols' lists those of the program" : near);
 }
 
 }  // namespace plcxx::scenarios

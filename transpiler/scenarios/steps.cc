@@ -1,5 +1,6 @@
 // The steps of a scenario, read from YAML.
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +14,16 @@
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::scenarios {
+namespace {
+
+constexpr std::string_view kSteps[] = {"set",     "run",          "expect",          "force",
+                                       "release", "expect_calls", "expect_messages", "power_cycle"};
+
+std::string ColonAfter(std::string_view step) {
+  return "write '" + std::string(step) + ": ', with a colon and a blank, before what the step is about";
+}
+
+}  // namespace
 
 std::vector<ScenarioStep> ScenarioReader::ReadSteps(const YAML::Node& node) {
   std::vector<ScenarioStep> steps;
@@ -23,6 +34,15 @@ std::vector<ScenarioStep> ScenarioReader::ReadSteps(const YAML::Node& node) {
   for (const YAML::Node& item : node) {
     const auto number = static_cast<uint32_t>(steps.size() + 1);
     ScenarioStep step{.number = number, .name = {}, .mark = Mark(item), .action = {}};
+    if (const std::string_view words = item.IsScalar() ? std::string_view(item.Scalar()) : std::string_view();
+        !words.empty()) {
+      const std::string_view first = words.substr(0, words.find_first_of(" {[:"));
+      const bool known = std::ranges::find(kSteps, first) != std::ranges::end(kSteps);
+      Fail(step.mark, "'" + std::string(words) + "' is no step",
+           known ? ColonAfter(first) : "a step is '- key: value'");
+      steps.push_back(std::move(step));
+      continue;
+    }
     const std::vector<YamlEntry> entries = Map(item, "a step");
     if (entries.size() > 1) {
       Fail(entries[1].key.mark, "a step has one key; '" + entries[1].key.text + "' begins another step");
@@ -53,9 +73,12 @@ std::optional<StepAction> ScenarioReader::ReadAction(const YamlEntry& entry) {
     }
     return PowerCycleStep{};
   }
-  constexpr std::string_view kSteps[] = {"set",     "run",          "expect",          "force",
-                                         "release", "expect_calls", "expect_messages", "power_cycle"};
   const std::string_view near = support::NearestWord(key, kSteps);
+  for (const std::string_view step : kSteps) {
+    if (!key.starts_with(step) || std::string_view(" {[:").find(key[step.size()]) == std::string_view::npos) continue;
+    Fail(entry.key.mark, "'" + key + "' is no step", ColonAfter(step));
+    return std::nullopt;
+  }
   Fail(entry.key.mark, "'" + key + "' is no step; there are: " + support::CommaSeparated(kSteps),
        near.empty() ? "" : "did you mean '" + std::string(near) + "'");
   return std::nullopt;

@@ -24,9 +24,8 @@ std::optional<LoadError> FindNul(std::string_view bytes, LineEnds ends) {
   const size_t nul = bytes.find('\0');
   if (nul == std::string_view::npos) return std::nullopt;
   const auto line = static_cast<uint32_t>(FindLineStarts(bytes.substr(0, nul), ends).size());
-  const std::string what = IsUtf16(bytes) ? "it is UTF-16, which has to be saved as UTF-8"
-                                          : "line " + std::to_string(line) + " contains a NUL byte, it is no text";
-  return LoadError{LoadProblem::kBinary, what, line};
+  if (IsUtf16(bytes)) return LoadError{LoadProblem::kUtf16, "it is UTF-16", line};
+  return LoadError{LoadProblem::kBinary, "line " + std::to_string(line) + " contains a NUL byte, it is no text", line};
 }
 
 /// `starts` are those of `bytes`.
@@ -61,6 +60,29 @@ ChosenEncoding ChooseEncoding(std::string_view bytes, const LoadOptions& options
 }
 
 }  // namespace
+
+std::string_view RemedyOf(LoadProblem problem) {
+  switch (problem) {
+    case LoadProblem::kMissing:
+      return "check its name, upper and lower case too, and the folder that the name starts from";
+    case LoadProblem::kDirectory:
+      return "name the files in it; 'plcxx init' makes a project of a folder of files";
+    case LoadProblem::kUnreadable:
+      return "check the path and the rights";
+    case LoadProblem::kTooLarge:
+    case LoadProblem::kLineTooLong:
+      return "no control has such a program: check that this is the file with its text";
+    case LoadProblem::kBinary:
+      return "name the file with the text of the program: what was compiled or packed from it is not read";
+    case LoadProblem::kUtf16:
+      return "save it as UTF-8, as 'iconv -f UTF-16 -t UTF-8' does";
+    case LoadProblem::kCutOff:
+      return "copy it again, its end is missing";
+    case LoadProblem::kEmpty:
+      return "copy it again from the control, or leave it out of the sources";
+  }
+  return {};
+}
 
 std::variant<FileId, LoadError> SourceManager::Load(const std::string& path, const LoadOptions& options) {
   const bool standard_input = path == "-";

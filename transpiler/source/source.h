@@ -87,12 +87,25 @@ struct LoadOptions {
   size_t max_line_bytes = 64u << 10;    // a longer line is refused
 };
 
-enum class LoadProblem : uint8_t { kMissing, kDirectory, kUnreadable, kTooLarge, kLineTooLong, kBinary, kEmpty };
+enum class LoadProblem : uint8_t {
+  kMissing,
+  kDirectory,
+  kUnreadable,
+  kTooLarge,
+  kLineTooLong,
+  kBinary,
+  kUtf16,
+  kCutOff,
+  kEmpty
+};
+
+/// What the user can do about it; as the remedy of a message.
+std::string_view RemedyOf(LoadProblem problem);
 
 struct LoadError {
   LoadProblem problem;
   std::string detail;  // the operating system's words, a size, ...: lower case, no full stop
-  uint32_t line = 0;   // for kLineTooLong and kBinary
+  uint32_t line = 0;   // for kLineTooLong, kBinary and kUtf16
 };
 
 /// A place for a person: 1-based line, 1-based column in characters of the file (not bytes of our UTF-8).

@@ -96,7 +96,9 @@ std::variant<std::string, Fault> ReadText(const std::string& path, size_t most, 
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return Fault{{}, "there is no such file"};
-  if (!std::filesystem::is_regular_file(status)) return Fault{{}, "not a file"};
+  if (std::filesystem::is_directory(status))
+    return Fault{{}, "a directory: name the file in it that is the " + std::string(what)};
+  if (!std::filesystem::is_regular_file(status)) return Fault{{}, "not a file, but a device or a pipe"};
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   if (!error && bytes > most) {
     constexpr int kMega = 20;  // bits

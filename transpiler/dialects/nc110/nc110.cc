@@ -17,7 +17,11 @@ constexpr std::string_view kExtensions[] = {".plc", ".sym"};
 void ReportLoadError(const std::string& path, const source::LoadError& error, diag::Engine& diagnostics) {
   const bool too_long =
       error.problem == source::LoadProblem::kTooLarge || error.problem == source::LoadProblem::kLineTooLong;
-  diagnostics.Report({}, too_long ? diag::Nc110SourceTooLong : diag::Nc110CannotRead, path, error.detail);
+  if (too_long) {
+    diagnostics.Report({}, diag::Nc110SourceTooLong, path, error.detail);
+  } else {
+    diagnostics.Report({}, diag::Nc110CannotRead, path, error.detail, source::RemedyOf(error.problem));
+  }
 }
 
 std::string Tokens(dialects::Request& request) {

@@ -205,7 +205,7 @@ Git FindGit() {
   const auto top = compile::RunProcess({"git", "rev-parse", "--show-toplevel"}, kGitSeconds);
   const auto prefix = compile::RunProcess({"git", "rev-parse", "--show-prefix"}, kGitSeconds);
   if (top.exit_code != 0) {
-    git.reason = "--git: " + FirstLine(top.output);
+    git.reason = "git has no version here (" + FirstLine(top.output) + "): name both, as in 'plcxx diff OLD NEW'";
   } else {
     git.top = FirstLine(top.output);
     git.prefix = FirstLine(prefix.output);

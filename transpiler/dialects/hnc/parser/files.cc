@@ -132,7 +132,7 @@ const SourceText* ProgramFiles::OpenBelow(const std::string& folder, const std::
     if (error.problem == source::LoadProblem::kEmpty) {
       return texts_.emplace(found, std::make_unique<SourceText>(ProductText(found, ""))).first->second.get();
     }
-    request_.diagnostics->Report({}, diag::CannotReadSource, found, error.detail);
+    request_.diagnostics->Report({}, diag::CannotReadSource, found, error.detail, source::RemedyOf(error.problem));
     return nullptr;
   }
   auto text = std::make_unique<SourceText>(Rewrite(*request_.sources, *file));

@@ -228,7 +228,7 @@ std::optional<source::FileId> LoadNamedFile(const dialects::Request& request, co
   const auto& error = std::get<source::LoadError>(loaded);
   // An empty file is a file without entries.
   if (error.problem == source::LoadProblem::kEmpty) return std::nullopt;
-  request.diagnostics->Report({}, diag::Nc110CannotRead, option->second, error.detail);
+  request.diagnostics->Report({}, diag::Nc110CannotRead, option->second, error.detail, source::RemedyOf(error.problem));
   return std::nullopt;
 }
 

@@ -39,8 +39,8 @@ void AddSignalFile(dialects::Request& request, ParsingContext& context) {
   if (path.empty()) return;
   const auto loaded = request.load(path);
   if (const auto* error = std::get_if<source::LoadError>(&loaded)) {
-    context.diagnostics.Report({}, diag::CannotReadSource, path,
-                               error->detail.empty() ? "no such file" : error->detail);
+    context.diagnostics.Report({}, diag::CannotReadSource, path, error->detail.empty() ? "no such file" : error->detail,
+                               source::RemedyOf(error->problem));
     return;
   }
   const source::FileId file = std::get<source::FileId>(loaded);

@@ -29,7 +29,7 @@ void ReportLoadError(const std::string& path, const source::LoadError& error, di
   if (IsTable(path)) {
     diagnostics.Report({}, diag::TechnolTableEmpty, path, error.detail.empty() ? "" : ": " + error.detail);
   } else {
-    diagnostics.Report({}, diag::CannotReadSource, path, error.detail);
+    diagnostics.Report({}, diag::CannotReadSource, path, error.detail, source::RemedyOf(error.problem));
   }
 }
 
