@@ -114,6 +114,41 @@ TEST(InitCommand, AFolderOfMachinesIsAPark) {
   EXPECT_THAT(work.Run("test --all --engine sim").out, HasSubstr("2 scenarios passed"));
 }
 
+// A project of the author's ClassicLadder 0.9 reads like one of LinuxCNC and is none: what checks with an error
+// whatever is done about it is not written, and what to do is said at once.
+TEST(InitCommand, AProjectOfAnotherLadderIsNoProgram) {
+  constexpr const char* kAuthors =
+      "_FILES_CLASSICLADDER\n_FILE-sections.csv\n000,0,-1,0,0,0\n_/FILE-sections.csv\n"
+      "_FILE-timers.csv\n#VER=2.0\nT0,1,5\n_/FILE-timers.csv\n_/FILES_CLASSICLADDER\n";
+  const Workplace work;
+  work.Write("press.clprj", kAuthors);
+  const Ran alone = work.Run("init");
+  EXPECT_EQ(alone.code, 1) << alone;
+  EXPECT_THAT(alone.out, HasSubstr("press.clprj         left out  version 2.0 of part 'timers.csv'"));
+  EXPECT_THAT(alone.errors, AllOf(HasSubstr("nothing was written, for there is no program: press.clprj: "),
+                                  HasSubstr("draw its rungs in LinuxCNC's ClassicLadder")));
+  EXPECT_FALSE(work.Has("plcxx.yaml"));
+  EXPECT_FALSE(work.Has(".gitattributes"));
+  // Beside a project that LinuxCNC saved it is left out.
+  work.Write("press.clp",
+             "_FILES_CLASSICLADDER\n_FILE-sections.csv\n000,0,-1,0,0,0\n_/FILE-sections.csv\n_FILE-rung_0.csv\n"
+             "1-0-50/0 , 50-0-60/0\n_/FILE-rung_0.csv\n_/FILES_CLASSICLADDER\n");
+  EXPECT_EQ(work.Run("init").code, 0);
+  EXPECT_THAT(work.Read("plcxx.yaml"), HasSubstr("sources: [press.clp]"));
+  EXPECT_EQ(work.Run("check").code, 0);
+}
+
+// What comes next depends on whether there is a program to test.
+TEST(InitCommand, WithErrorsTheNextStepIsToReadThem) {
+  const Workplace work;
+  work.Write("a.plc", kBadProgram);
+  EXPECT_THAT(work.Run("init").out,
+              HasSubstr("next      plcxx check shows the errors; plcxx test and plcxx emit work"));
+  const Workplace good;
+  good.Write("a.plc", kGoodProgram);
+  EXPECT_THAT(good.Run("init").out, HasSubstr("next      plcxx check, plcxx test, plcxx emit\n"));
+}
+
 TEST(InitCommand, WhereNothingIsToBeFound) {
   const Workplace work;
   work.Write("letter.doc", "Dear Sirs\n");

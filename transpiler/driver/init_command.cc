@@ -1,4 +1,5 @@
 // plcxx init: a folder of files from a control becomes a project.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -48,8 +49,17 @@ void Show(const project::ProposedProgram& program) {
     Say("", support::LeftAligned(file.name, kNameWidth) + "  " + support::LeftAligned(file.what, kWhatWidth) +
                 (file.encoding.empty() ? "" : file.encoding + ", ") + file.reason);
   }
+  if (program.sources.empty()) return;
   if (!program.order.empty()) Say("order", program.order + "; the sources run in this order: look at it once");
   Say("check", program.check);
+}
+
+/// What to do after it: a program with errors is neither tested nor emitted.
+void SayNext(const std::vector<project::ProposedProgram>& programs) {
+  const std::string all = programs.size() > 1 ? " --all" : "";
+  const bool ok = std::ranges::all_of(programs, [](const project::ProposedProgram& program) { return program.ok; });
+  Say("next", ok ? "plcxx check" + all + ", plcxx test" + all + ", plcxx emit" + all
+                 : "plcxx check" + all + " shows the errors; plcxx test and plcxx emit work when there are none");
 }
 
 /// Where the repository of the folder is: by files of a service, else by the address that git fetches from.
@@ -75,13 +85,21 @@ int RunInit(const InitSettings& settings) {
   if (!settings.dialect.empty() && dialects::DialectByName(settings.dialect) == nullptr) {
     return UsageError("unknown dialect '" + settings.dialect + "': choose one of " + compilation::DialectNames());
   }
-  const std::vector<project::ProposedProgram> programs = project::ProposePrograms(folder, settings.dialect);
+  std::vector<project::ProposedProgram> programs = project::ProposePrograms(folder, settings.dialect);
   if (programs.empty()) {
     PrintUsageError("no file in '" + (folder.empty() ? std::string(".") : folder) +
                     "' is a source that plcxx knows; --dialect NAME says which language they are in");
     return kProgramHasErrors;
   }
   for (const project::ProposedProgram& program : programs) Show(program);
+  std::string no_program;
+  for (const project::ProposedProgram& program : programs)
+    if (program.sources.empty()) no_program = program.no_program;
+  std::erase_if(programs, [](const project::ProposedProgram& program) { return program.sources.empty(); });
+  if (programs.empty()) {
+    PrintUsageError("nothing was written, for there is no program: " + no_program);
+    return kProgramHasErrors;
+  }
 
   std::vector<project::PipelineFile> files = {{std::string(project::kProjectFile), project::ProjectText(programs)},
                                               {".gitattributes", project::AttributesText(programs)}};
@@ -105,8 +123,7 @@ int RunInit(const InitSettings& settings) {
     heading.clear();
   }
   if (service.empty() && settings.pipeline == "auto") Say("", "no pipeline: --pipeline github or gitlab writes one");
-  Say("next", programs.size() > 1 ? "plcxx check --all, plcxx test --all, plcxx emit --all"
-                                  : "plcxx check, plcxx test, plcxx emit");
+  SayNext(programs);
   return kDone;
 }
 

@@ -76,6 +76,8 @@ class Finder {
     program_.dialect = dialect_->name;
     for (const std::string& name : names_) Sort(name);
     if (program_.sources.empty()) return std::nullopt;
+    DropForeign();
+    if (program_.sources.empty()) return std::move(program_);
     DropIncluded();
     ChooseOrder();
     Describe();
@@ -145,6 +147,23 @@ class Finder {
     request.sources = program_.sources;
     request.options = program_.options;
     return request;
+  }
+
+  /// What has the container of a language and another language in it: no order and no option would make it a program.
+  void DropForeign() {
+    std::erase_if(program_.sources, [&](const std::string& source) {
+      compilation::CompilationRequest request = Request();
+      request.sources = {source};
+      const compilation::Compilation alone = compilation::Compile(request, compilation::Stage::kLowered);
+      const auto& messages = alone.diagnostics.all();
+      const auto foreign = std::ranges::find_if(messages, [](const diag::Diagnostic& message) {
+        return message.row->key == diag::ClassicladderVersion.row.key;
+      });
+      if (foreign == messages.end()) return false;
+      program_.files.push_back({source, "left out", "", foreign->text});
+      program_.no_program = source + ": " + foreign->remedy;
+      return true;
+    });
   }
 
   /// What others include is no source of its own.

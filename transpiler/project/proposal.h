@@ -30,9 +30,11 @@ struct ProposedProgram {
   std::string order;                // why the sources are in this order; empty: there is one
   std::string check;                // "no errors, 3 warnings"
   bool ok = false;                  // no errors
+  std::string no_program;           // a file in a language that only looks like this one, and what to do about it
 };
 
-/// The programs of the folder itself, else one for each folder in it; empty: no file is a source that plcxx knows.
+/// The programs of the folder itself, else one for each folder in it; empty: no file is a source that plcxx knows. One
+/// without sources has files that cannot be a program, and says so in `no_program`.
 std::vector<ProposedProgram> ProposePrograms(const std::string& folder, std::string_view dialect);
 
 /// The text of plcxx.yaml.
