@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <random>
+#include <thread>
 
 #include "tests/temporary_directory.h"
+#include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/solver/sweep.h"
 #include "transpiler/symbolic/terms/evaluate.h"
 
@@ -76,6 +79,26 @@ TEST(Solver, LimitsOfEffortWaitForASlowMachineButNotBeyondTheCommandsTime) {
   EXPECT_EQ(limit.Within(1'000'000).clock_ms, limit.clock_ms);
   EXPECT_EQ(solver::Limit::Effort(solver::Limit::kNone - 1).clock_ms, solver::Limit::kNone);
   EXPECT_EQ(solver::Limit::Clock(5).effort_ms, solver::Limit::kNone);
+}
+
+/// Who waits has had no processor.
+TEST(Deadline, OfTheProcessorWaitsForIt) {
+  const solver::Deadline wall(solver::Clock::kWall, 30), processor(solver::Clock::kProcessor, 30);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  EXPECT_TRUE(wall.IsOver());
+  EXPECT_FALSE(processor.IsOver());
+  while (!processor.IsOver()) continue;
+  EXPECT_EQ(processor.RestMs(), 0U);
+}
+
+TEST(Deadline, QuestionsEndWithIt) {
+  const solver::Deadline wall(solver::Clock::kWall, 5'000), processor(solver::Clock::kProcessor, 5'000);
+  EXPECT_EQ(wall.LimitFor(100).effort_ms, 100U);
+  EXPECT_LE(wall.LimitFor(100'000).clock_ms, 5'000U);
+  EXPECT_EQ(processor.LimitFor(100).effort_ms, 100U);
+  EXPECT_LE(processor.LimitFor(100'000).effort_ms, 5'000U);
+  EXPECT_GT(solver::Deadline(solver::Clock::kWall, ~uint64_t{0}).RestMs(), 1'000'000'000U);
+  EXPECT_EQ(solver::Deadline(solver::Clock::kWall, 0).LimitFor(100).clock_ms, 1U);
 }
 
 /// A term over the variables, of random shape.

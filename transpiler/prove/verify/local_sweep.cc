@@ -1,7 +1,6 @@
 #include "transpiler/prove/verify/local_sweep.h"
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <map>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/evaluate.h"
 #include "transpiler/symbolic/terms/form.h"
@@ -45,7 +45,7 @@ class LocalSweep {
         solver_(solver),
         pairs_(pairs),
         answers_(answered),
-        deadline_(std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds)) {}
+        deadline_(solver::Clock::kProcessor, milliseconds) {}
 
   std::vector<solver::TermPair> Run();
 
@@ -77,18 +77,13 @@ class LocalSweep {
   terms::TermId Representative(terms::TermId id) const {
     return id.index < representative_.size() && representative_[id.index].valid() ? representative_[id.index] : id;
   }
-  bool Late() const { return std::chrono::steady_clock::now() >= deadline_; }
-  uint64_t RestMs() const {
-    using std::chrono::milliseconds;
-    const auto rest = std::chrono::duration_cast<milliseconds>(deadline_ - std::chrono::steady_clock::now()).count();
-    return static_cast<uint64_t>(std::max<int64_t>(1, rest));
-  }
+  bool Late() const { return deadline_.IsOver(); }
 
   terms::Terms& terms_;
   solver::Solver& solver_;
   std::span<const solver::TermPair> pairs_;
   solver::AnsweredForms& answers_;
-  std::chrono::steady_clock::time_point deadline_;
+  const solver::Deadline deadline_;
   std::vector<uint8_t> sides_;
   std::vector<terms::TermId> cone_;
   std::vector<uint64_t> constants_, signatures_, values_;
@@ -321,7 +316,7 @@ solver::Answer LocalSweep::Ask(terms::TermId condition, uint32_t milliseconds) {
   if (!known.has_tried_values) known.answer = AskValues(condition);
   known.has_tried_values = true;
   if (known.answer == solver::Answer::kUnknown) {
-    known.answer = solver_.Check({&condition, 1}, solver::Limit::Effort(milliseconds).Within(RestMs()));
+    known.answer = solver_.Check({&condition, 1}, deadline_.LimitFor(milliseconds));
     known.milliseconds = milliseconds;
   }
   return known.answer;

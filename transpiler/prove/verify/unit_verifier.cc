@@ -309,9 +309,7 @@ CodeDifference UnitVerifier::Show(solver::Solver& solver, const Question& questi
     return difference;
   };
   const terms::TermId differ = terms_.Ne(asked.a, asked.b);
-  if (solver.Check({&differ, 1},
-                   solver::Limit::Effort(program_.limits.question_ms).Within(program_.limits.routine_ms)) ==
-      solver::Answer::kPossible) {
+  if (solver.Check({&differ, 1}, solver::Limit::Effort(program_.limits.question_ms)) == solver::Answer::kPossible) {
     const std::array roots = {differ, question.pair.a, question.pair.b};
     const std::vector<uint64_t> values = solver::ModelValues(terms_, solver, terms::ConeOf(terms_, roots));
     if (values[differ.index] != 0) {
@@ -333,6 +331,7 @@ std::vector<solver::Verdict> UnitVerifier::Compare(solver::Solver& solver, std::
   solver::SweepLimits sweep;
   sweep.pair_ms = program_.limits.question_ms;
   sweep.total_ms = program_.limits.routine_ms;
+  sweep.clock = solver::Clock::kProcessor;
   sweep.answered = program_.answered.get();
   if (program_.limits.progress) {
     sweep.progress = [this](size_t done, size_t all) {

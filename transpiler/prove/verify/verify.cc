@@ -1,7 +1,6 @@
 #include "transpiler/prove/verify/verify.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <set>
@@ -9,6 +8,7 @@
 
 #include "transpiler/prove/verify/unit_verifier.h"
 #include "transpiler/prove/verify/verified_program.h"
+#include "transpiler/symbolic/solver/deadline.h"
 
 namespace plcxx::prove::verify {
 namespace {
@@ -95,8 +95,7 @@ Verification::Try Verification::RunOnce(const Unit& unit, const ArgumentCase& gi
 
 /// What is guessed of loops and is not so is dropped, until all that is claimed of them is so, or too little is left.
 Verification::Try Verification::RunInStep(const Unit& unit, const ArgumentCase& given, Callees callees) const {
-  using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + std::chrono::milliseconds(program_.limits.routine_ms);
+  const solver::Deadline deadline(solver::Clock::kProcessor, program_.limits.routine_ms);
   Treatment treatment{.callees = callees, .loops = Loops::kInStep, .dropped = {}};
   bool second_chance = false;
   for (int i = 0;; ++i) {
@@ -111,7 +110,7 @@ Verification::Try Verification::RunInStep(const Unit& unit, const ArgumentCase& 
       if (first.proof.result == ProofResult::kDifferent) return first;
     }
     for (const std::string& guess : verifier.refuted()) ++treatment.dropped[guess];
-    if (i == kMostRetries || Clock::now() >= deadline) return tried;
+    if (i == kMostRetries || deadline.IsOver()) return tried;
     if (!verifier.refuted().empty()) continue;
     // What the code keeps may have been dropped for what was said wrongly of the program's words; these are right now.
     const auto of_code = [](const auto& dropped) { return dropped.first.starts_with(kGuessOfCode); };

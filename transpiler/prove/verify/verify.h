@@ -80,8 +80,9 @@ struct CodeShape {
   bool IsUpToFaults() const { return fault.valid(); }
 };
 
+/// In time of the processor: what a verdict is must not depend on what else the machine does.
 struct VerifyLimits {
-  uint32_t question_ms = 10'000;
+  uint32_t question_ms = 5'000;
   uint64_t routine_ms = 60'000;
   std::function<void(const std::string& text)> progress;      // may be empty
   std::function<void(const RoutineProof& proof)> is_decided;  // each when it is; may be empty

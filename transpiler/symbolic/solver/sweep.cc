@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <string>
 #include <unordered_map>
 
@@ -27,13 +26,11 @@ enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
 class Sweeper {
  public:
   Sweeper(terms::Terms& terms, Solver& solver, std::span<const TermPair> pairs, const SweepLimits& limits)
-      : terms_(terms), solver_(solver), pairs_(pairs), limits_(limits) {}
+      : terms_(terms), solver_(solver), pairs_(pairs), limits_(limits), deadline_(limits.clock, limits.total_ms) {}
 
   std::vector<Verdict> Run();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void MarkCones();
   /// false: it was not done in time.
   bool Simulate();
@@ -41,11 +38,7 @@ class Sweeper {
   void EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable);
   void SweepTerm(terms::TermId id);
   Answer Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds);
-  bool Late() const { return Clock::now() >= deadline_; }
-  Limit LimitOf(uint32_t effort_ms) const {
-    const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
-    return Limit::Effort(effort_ms).Within(static_cast<uint64_t>(std::max<int64_t>(1, rest)));
-  }
+  bool Late() const { return deadline_.IsOver(); }
   terms::TermId Representative(terms::TermId id) const {
     return id.index < representative_.size() && representative_[id.index].valid() ? representative_[id.index] : id;
   }
@@ -56,7 +49,7 @@ class Sweeper {
   std::vector<TermPair> open_pairs_;
   size_t refuted_ = 0, refuted_first_ = 0;
   const SweepLimits& limits_;
-  Clock::time_point deadline_;
+  const Deadline deadline_;
   std::vector<uint8_t> sides_;       // by TermId
   std::vector<terms::TermId> cone_;  // of the pairs that are not one term, operands first
   std::vector<uint64_t> signatures_, values_;
@@ -137,11 +130,11 @@ Answer Sweeper::Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds) 
   if (terms_.IsFalse(differ)) return Answer::kNever;
   const std::string form =
       limits_.answered == nullptr ? std::string() : terms::FormOf(terms_, differ, kMostTermsOfForm).value_or("");
-  if (form.empty()) return solver_.Check({&differ, 1}, LimitOf(milliseconds));
+  if (form.empty()) return solver_.Check({&differ, 1}, deadline_.LimitFor(milliseconds));
   Answered& known = (*limits_.answered)[form];
   // Where it is possible, who asks wants the values, too.
   if (known.answer != Answer::kPossible && known.Settles(milliseconds)) return known.answer;
-  known.answer = solver_.Check({&differ, 1}, LimitOf(milliseconds));
+  known.answer = solver_.Check({&differ, 1}, deadline_.LimitFor(milliseconds));
   known.milliseconds = milliseconds;
   return known.answer;
 }
@@ -189,7 +182,6 @@ void Sweeper::SweepTerm(terms::TermId id) {
 }
 
 std::vector<Verdict> Sweeper::Run() {
-  deadline_ = Clock::now() + std::chrono::milliseconds(limits_.total_ms);
   std::vector<Verdict> verdicts(pairs_.size(), Verdict::kEqual);
   const auto open = static_cast<size_t>(std::ranges::count_if(pairs_, [](const TermPair& p) { return p.a != p.b; }));
   if (open == 0) return verdicts;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "transpiler/symbolic/solver/answered.h"
+#include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/solver/solver.h"
 #include "transpiler/symbolic/terms/terms.h"
 
@@ -31,6 +32,7 @@ struct SweepLimits {
   uint32_t inner_ms = 100;     // for a question about two terms inside
   uint32_t pair_ms = 2000;     // for the question about a pair
   uint64_t total_ms = 60'000;  // for all; later pairs are undecided
+  Clock clock = Clock::kWall;  // of it
   /// Nothing is assumed, so that two terms that differ for random values differ.
   bool any_values_count = false;
   /// What is known of forms of questions, and becomes known; none where something is assumed.

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <utility>
 
 #include "transpiler/ir/facts.h"
 #include "transpiler/symbolic/meaning/meaning.h"
+#include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/solver/model.h"
 #include "transpiler/symbolic/solver/sweep.h"
 #include "transpiler/symbolic/terms/cone.h"
@@ -16,7 +16,6 @@ namespace {
 
 using verify::Unit;
 using verify::UnitId;
-using Clock = std::chrono::steady_clock;
 
 constexpr int kMostTries = 80;  // with other candidates for what loops have in common
 constexpr uint32_t kMostRounds = 512;
@@ -126,6 +125,7 @@ bool FactRun::AreClaimsShown(Attempt& attempt) {
   solver::SweepLimits sweep;
   sweep.pair_ms = limits_.question_ms;
   sweep.total_ms = limits_.routine_ms / 2;
+  sweep.clock = solver::Clock::kProcessor;
   const std::vector<solver::Verdict> verdicts = solver::Compare(terms, *attempt.solver, pairs, sweep);
   // Those that can make others fail first.
   verify::Blame least = verify::Blame::kMemory;
@@ -148,8 +148,7 @@ Shown FactRun::Show(Attempt& attempt, const Question& question, terms::TermId wr
     shown.reason = "what its loops keep does not show it";
     return shown;
   }
-  if (attempt.solver->Check({&wrong, 1}, solver::Limit::Effort(limits_.question_ms).Within(limits_.routine_ms)) !=
-      solver::Answer::kPossible) {
+  if (attempt.solver->Check({&wrong, 1}, solver::Limit::Effort(limits_.question_ms)) != solver::Answer::kPossible) {
     shown.reason = "not within the time";
     return shown;
   }
@@ -192,6 +191,7 @@ std::vector<Shown> FactRun::Decide(Attempt& attempt) {
   solver::SweepLimits sweep;
   sweep.pair_ms = limits_.question_ms;
   sweep.total_ms = limits_.routine_ms;
+  sweep.clock = solver::Clock::kProcessor;
   sweep.answered = program_.answered.get();
   const std::vector<solver::Verdict> verdicts = solver::Compare(terms, *attempt.solver, pairs, sweep);
   std::vector<Shown> shown;
@@ -275,9 +275,9 @@ bool FactRun::Try(std::vector<Shown>& shown) {
 
 std::vector<Shown> FactRun::Run() {
   std::vector<Shown> shown;
-  const auto deadline = Clock::now() + std::chrono::milliseconds(limits_.routine_ms);
+  const solver::Deadline deadline(solver::Clock::kProcessor, limits_.routine_ms);
   for (int i = 0; !Try(shown); ++i) {
-    if (i == kMostTries || Clock::now() >= deadline) {
+    if (i == kMostTries || deadline.IsOver()) {
       refusal_ = "what its loops keep is not found";
       break;
     }

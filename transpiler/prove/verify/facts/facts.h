@@ -43,7 +43,7 @@ struct FactProof {
 };
 
 struct FactLimits {
-  uint32_t question_ms = 10'000;
+  uint32_t question_ms = 5'000;
   uint64_t routine_ms = 60'000;                           // for one execution of one function
   std::function<void(const std::string& text)> progress;  // may be empty
 };
