@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "tests/pairs/pair.h"
+#include "transpiler/dialects/technol/machine/signals.h"
 
 namespace plcxx::pairs {
 namespace {
@@ -211,6 +212,13 @@ bool AddComment(ProgramText& program, Random& random, std::string& what) {
 
 bool IsOfName(char c) { return (std::isalnum(static_cast<unsigned char>(c)) != 0) || c == '_'; }
 
+/// technol's specification, 5.1: a DFM of such a name names bits of the control's byte; of another name it is memory.
+bool NamesTheControl(std::string_view name) {
+  const bool is_number = name.find_first_not_of("0123456789", name.starts_with("IN") ? 2 : 3) == std::string_view::npos;
+  if (is_number && (name.starts_with("IN") || name.starts_with("OUT"))) return true;
+  return std::ranges::any_of(technol::Signals(), [name](const technol::Signal& signal) { return signal.name == name; });
+}
+
 /// A label or symbol that begins a line, or stands behind a sign of declaration, is renamed everywhere.
 bool Rename(Pair& pair, Random& random, std::string& what) {
   ProgramText& program = pair.new_program;
@@ -221,7 +229,8 @@ bool Rename(Pair& pair, Random& random, std::string& what) {
       const size_t colon = line.find(':');
       const bool is_label = colon != std::string::npos && colon > 1 &&
                             std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(colon), IsOfName);
-      if (is_label && program.dialect == "technol") names.push_back(line.substr(0, colon));
+      if (is_label && program.dialect == "technol" && !NamesTheControl(line.substr(0, colon)))
+        names.push_back(line.substr(0, colon));
       if (line.starts_with("!") && program.dialect == "nc110") {
         size_t end = 1;
         while (end < line.size() && IsOfName(line[end])) ++end;
