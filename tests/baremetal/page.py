@@ -33,6 +33,19 @@ def sees(shown):
     shown.events.until(lambda state: state.get("power"))
 
 
+def sees_it_fall(server, shown):
+    """An input against what the board reads: the program answers to it. Whether there is a picture from before the edge,
+    too: the board goes on by its clock, and where an emulated network has the host wait, some are missing."""
+    server.act("trigger", edge="falling", text="DOOR", baseMs=10, delayMs=0, samples=200, before=50)
+    server.act("force", name="DOOR", value="0")
+    shown.until("GUARD", 0)
+    shown.events.until(lambda state: (state.get("trigger") or {}).get("state") == "complete" and "kept" in state)
+    kept = shown.events.state["kept"]
+    doors = [sample[2][0] for sample in kept]
+    assert len(kept) > 10 and doors == sorted(doors, reverse=True) and doors[-1] == 0, kept
+    return doors[0] == 1
+
+
 def operates(server, shown):
     shown.until_link(mayWrite=True)
     # The board makes parts all the time, but not 256 of them.
@@ -40,15 +53,14 @@ def operates(server, shown):
     shown.until("CNTHIGH", 42)
     server.act("watch", name="DOOR")
     server.act("watch", name="GUARD")
-    server.act("trigger", edge="falling", text="DOOR", baseMs=10, delayMs=0, samples=10, before=50)
-    # An input against what the board reads: the program answers to it.
-    server.act("force", name="DOOR", value="0")
-    shown.until("GUARD", 0)
+    for _ in range(4):
+        if sees_it_fall(server, shown):
+            break
+        server.act("releaseAll")
+        shown.until("GUARD", 1)
+    else:
+        raise AssertionError(f"no picture from before the edge: {shown.events.state['kept']}")
     assert shown.until_link(forcedBytes=1)
-    shown.events.until(lambda state: (state.get("trigger") or {}).get("state") == "complete" and "kept" in state)
-    kept = shown.events.state["kept"]
-    doors = [sample[2][0] for sample in kept]
-    assert len(kept) == 10 and doors == sorted(doors, reverse=True) and doors[0] == 1 and doors[-1] == 0, kept
     server.act("releaseAll")
     shown.until("GUARD", 1)
     shown.until_link(forcedBytes=0)
