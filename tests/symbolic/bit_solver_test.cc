@@ -34,6 +34,9 @@ TEST(BitSolver, EffortIsCountedInSteps) {
   const terms::TermId product = terms.Eq(terms.Mul(x, y), terms.Const(4294967291ULL * 4294967279ULL, 64));
   const terms::TermId hard = terms.And(product, terms.And(terms.Ult(x, border), terms.Ult(y, border)));
   EXPECT_EQ(solver->Check({&hard, 1}, {.effort_ms = 50, .clock_ms = solver::Limit::kNone}), solver::Answer::kUnknown);
+  // No time is not all the time that there is.
+  EXPECT_EQ(solver->Check({&hard, 1}, solver::Limit::Clock(0)), solver::Answer::kUnknown);
+  EXPECT_EQ(solver->Check({&hard, 1}, {.effort_ms = 0, .clock_ms = solver::Limit::kNone}), solver::Answer::kUnknown);
 }
 
 TEST(BitSolver, SaysWhichConditionsTheAnswerNeeds) {

@@ -117,7 +117,7 @@ void SearchRuns(Comparison& comparison) {
     TryRandomInputs(comparison, state, pairs, end_ms);
     for (const OpenPair& pair : pairs) {
       if (pair.result->run || comparison.RestMs() <= end_ms) continue;
-      const auto rest_ms = static_cast<uint32_t>(comparison.RestMs() - end_ms);
+      const uint64_t rest_ms = comparison.RestMs() - end_ms;
       const solver::Answer answer = comparison.solver->Check(
           {&pair.differ, 1}, solver::Limit::Effort(comparison.limits.question_ms).Within(rest_ms));
       if (answer != solver::Answer::kPossible) continue;
@@ -229,7 +229,7 @@ void SearchStates(Comparison& comparison) {
   comparison.PushInvariants();
   for (const OpenPair& pair : pairs) {
     if (pair.result->run || comparison.RestMs() <= end_ms) continue;
-    const auto rest_ms = static_cast<uint32_t>(comparison.RestMs() - end_ms);
+    const uint64_t rest_ms = comparison.RestMs() - end_ms;
     const solver::Answer answer = comparison.solver->Check(
         {&pair.differ, 1}, solver::Limit::Effort(comparison.limits.question_ms).Within(rest_ms));
     if (answer != solver::Answer::kPossible) continue;

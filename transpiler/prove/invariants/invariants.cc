@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,6 +11,7 @@
 #include "transpiler/prove/invariants/concrete_run.h"
 #include "transpiler/prove/machine/transition.h"
 #include "transpiler/symbolic/solver/bit_solver.h"
+#include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::prove::invariants {
@@ -41,12 +41,7 @@ class InvariantFinder::Finder {
     terms::TermId holds, fails;  // before a part, and after any
   };
 
-  bool Late() const { return RestMs() == 0; }
-  uint32_t RestMs() const {
-    using std::chrono::milliseconds;
-    const auto rest = std::chrono::duration_cast<milliseconds>(deadline_ - std::chrono::steady_clock::now()).count();
-    return static_cast<uint32_t>(std::clamp<int64_t>(rest, 0, solver::Limit::kNone - 1));
-  }
+  bool Late() const { return deadline_.IsOver(); }
   terms::TermId Current(execute::CellId cell);
   terms::TermId Next(const machine::Transition& part, execute::CellId cell);
   /// false: it cannot be executed, or not in time.
@@ -88,7 +83,7 @@ class InvariantFinder::Finder {
   std::vector<Invariant> proved_;
   bool is_prepared_ = false, is_done_ = false;
   terms::Random random_{0x2545F4914F6CDD1D};
-  std::chrono::steady_clock::time_point deadline_;
+  solver::Deadline deadline_{solver::Clock::kWall, 0};  // of Find
 };
 
 terms::TermId InvariantFinder::Finder::Current(execute::CellId cell) {
@@ -189,8 +184,7 @@ bool InvariantFinder::Finder::HoldsAtPowerOn(const Invariant& guess) {
   const terms::TermId wrong =
       terms_.Not(ConditionOf(terms_, guess, [this](execute::CellId cell) { return init_.next[cell.index]; }));
   return terms_.IsFalse(wrong) ||
-         (!Late() &&
-          solver_.Check({&wrong, 1}, solver::Limit::Effort(kPowerOnMs).Within(RestMs())) == solver::Answer::kNever);
+         (!Late() && solver_.Check({&wrong, 1}, deadline_.LimitFor(kPowerOnMs)) == solver::Answer::kNever);
 }
 
 void InvariantFinder::Finder::MakeGuesses() {
@@ -295,7 +289,7 @@ void InvariantFinder::Finder::ProveAlone() {
     untried_.pop_back();
     const std::array question{guess.holds, guess.fails};
     if (terms_.IsFalse(guess.fails) ||
-        solver_.Check(question, solver::Limit::Effort(kAloneMs).Within(RestMs())) == solver::Answer::kNever) {
+        solver_.Check(question, deadline_.LimitFor(kAloneMs)) == solver::Answer::kNever) {
       Keep(std::move(guess));
     } else {
       guesses_.push_back(std::move(guess));
@@ -316,7 +310,7 @@ bool InvariantFinder::Finder::Prove() {
     if (terms_.IsFalse(any)) return true;
     question.push_back(any);
     if (Late()) return false;
-    switch (bits_->Check(question, solver::Limit::Clock(RestMs()))) {
+    switch (bits_->Check(question, solver::Limit().Within(deadline_.RestMs()))) {
       case solver::Answer::kNever:
         return true;
       case solver::Answer::kUnknown:
@@ -329,7 +323,7 @@ bool InvariantFinder::Finder::Prove() {
 }
 
 void InvariantFinder::Finder::Find(uint64_t milliseconds) {
-  deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
+  deadline_ = solver::Deadline(solver::Clock::kWall, milliseconds);
   const bool goes_on = is_prepared_;
   if (!is_prepared_) Prepare();
   if (!is_prepared_ || is_done_) return;

@@ -16,8 +16,9 @@ inline constexpr uint32_t kStepsOfMs = 8000;
 inline z3::params Parameters(z3::context& context, const Limit& limit) {
   z3::params parameters(context);
   const bool counts = limit.effort_ms < Limit::kNone / kStepsOfMs;
-  parameters.set("rlimit", counts ? limit.effort_ms * kStepsOfMs : 0U);  // 0: none
-  parameters.set("timeout", limit.clock_ms);                             // kNone: Z3's own word for none
+  // To Z3 0 is no limit at all, in both; kNone is its own word for no time-out.
+  parameters.set("rlimit", counts ? std::max(1U, limit.effort_ms * kStepsOfMs) : 0U);
+  parameters.set("timeout", std::max(1U, limit.clock_ms));
   return parameters;
 }
 
