@@ -52,7 +52,8 @@ class Matcher {
       : old_(old_version),
         new_(new_version),
         match_{.new_of_old = std::vector<execute::CellId>(old_version.cells.count),
-               .old_of_new = std::vector<execute::CellId>(new_version.cells.count)} {}
+               .old_of_new = std::vector<execute::CellId>(new_version.cells.count),
+               .starts_otherwise = {}} {}
 
   void Places(const ir::Place& one, const ir::Place& other);
   void InputsAndOutputs();
@@ -225,41 +226,6 @@ void Matcher::HostFunctions() {
   Pair(old_.cells.OfOrder(), new_.cells.OfOrder());
 }
 
-}  // namespace
-
-Match MatchCells(const machine::Version& old_version, const machine::Version& new_version,
-                 const std::vector<std::pair<ir::Place, ir::Place>>& same) {
-  Matcher matcher(old_version, new_version);
-  for (const auto& [one, other] : same) matcher.Places(one, other);  // before everything that plcxx guesses
-  matcher.InputsAndOutputs();
-  matcher.InternalByName();
-  matcher.SymbolsByName();
-  matcher.ByAddress();
-  matcher.Instances();
-  matcher.HostFunctions();
-  return matcher.Take();
-}
-
-bool IsInputPair(const machine::Version& old_version, const machine::Version& new_version,
-                 const machine::Uses& old_uses, const machine::Uses& new_uses, const Match& match,
-                 execute::CellId old_cell) {
-  const execute::Cell cell = execute::CellAt(*old_version.program, old_version.cells, old_cell);
-  if (cell.kind != execute::CellKind::kBit) return false;
-  if (machine::WhatControlWrites(old_version, old_cell) == execute::ControlWrite::kValues) return true;
-  const execute::CellId new_cell = match.new_of_old[old_cell.index];
-  if (new_cell.valid() && machine::WhatControlWrites(new_version, new_cell) == execute::ControlWrite::kValues)
-    return true;
-  const ir::Space& space = old_version.program->spaces[cell.space];
-  const bool old_sets = old_uses.sets[old_cell.index];
-  const bool new_sets = new_cell.valid() ? new_uses.sets[new_cell.index] : old_sets;
-  if (!space.host_visible || (old_sets && new_sets)) return false;
-  // What one version alone uses, and writes, is how it does something: no host of the other one knows of it.
-  const bool old_uses_it = old_uses.writes[old_cell.index] || old_uses.reads[old_cell.index];
-  const bool new_uses_it = new_cell.valid() ? new_uses.writes[new_cell.index] || new_uses.reads[new_cell.index]
-                                            : old_uses.writes[old_cell.index];
-  return !((old_sets || new_sets) && old_uses_it != new_uses_it && IsPrivate(old_version, old_cell));
-}
-
 std::vector<bool> CellsThatStartOtherwise(const machine::Version& old_version, const machine::Version& new_version,
                                           const Match& match) {
   const auto starts_with = [](const machine::Version& version, execute::CellId id) {
@@ -280,6 +246,43 @@ std::vector<bool> CellsThatStartOtherwise(const machine::Version& old_version, c
       if (differs) starts_otherwise[cell.index] = true;
   }
   return starts_otherwise;
+}
+
+}  // namespace
+
+Match MatchCells(const machine::Version& old_version, const machine::Version& new_version,
+                 const std::vector<std::pair<ir::Place, ir::Place>>& same) {
+  Matcher matcher(old_version, new_version);
+  for (const auto& [one, other] : same) matcher.Places(one, other);  // before everything that plcxx guesses
+  matcher.InputsAndOutputs();
+  matcher.InternalByName();
+  matcher.SymbolsByName();
+  matcher.ByAddress();
+  matcher.Instances();
+  matcher.HostFunctions();
+  Match match = matcher.Take();
+  match.starts_otherwise = CellsThatStartOtherwise(old_version, new_version, match);
+  return match;
+}
+
+bool IsInputPair(const machine::Version& old_version, const machine::Version& new_version,
+                 const machine::Uses& old_uses, const machine::Uses& new_uses, const Match& match,
+                 execute::CellId old_cell) {
+  const execute::Cell cell = execute::CellAt(*old_version.program, old_version.cells, old_cell);
+  if (cell.kind != execute::CellKind::kBit) return false;
+  if (machine::WhatControlWrites(old_version, old_cell) == execute::ControlWrite::kValues) return true;
+  const execute::CellId new_cell = match.new_of_old[old_cell.index];
+  if (new_cell.valid() && machine::WhatControlWrites(new_version, new_cell) == execute::ControlWrite::kValues)
+    return true;
+  const ir::Space& space = old_version.program->spaces[cell.space];
+  const bool old_sets = old_uses.sets[old_cell.index];
+  const bool new_sets = new_cell.valid() ? new_uses.sets[new_cell.index] : old_sets;
+  if (!space.host_visible || (old_sets && new_sets)) return false;
+  // What one version alone uses, and writes, is how it does something: no host of the other one knows of it.
+  const bool old_uses_it = old_uses.writes[old_cell.index] || old_uses.reads[old_cell.index];
+  const bool new_uses_it = new_cell.valid() ? new_uses.writes[new_cell.index] || new_uses.reads[new_cell.index]
+                                            : old_uses.writes[old_cell.index];
+  return !((old_sets || new_sets) && old_uses_it != new_uses_it && IsPrivate(old_version, old_cell));
 }
 
 namespace {

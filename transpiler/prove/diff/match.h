@@ -18,6 +18,9 @@ namespace plcxx::prove::diff {
 struct Match {
   std::vector<execute::CellId> new_of_old;  // by cell of the old version; none: it is not in the new one
   std::vector<execute::CellId> old_of_new;
+  /// By old cell: whether it is in a word that the versions begin with different values of, as another preset. Who sets
+  /// some of its bits in both sets two words, which no scenario says.
+  std::vector<bool> starts_otherwise;
 };
 
 /// `same`: places of the old and the new version that the user says are one (--map).
@@ -34,11 +37,6 @@ void ShareLoops(machine::Version& old_version, machine::Version& new_version);
 bool IsInputPair(const machine::Version& old_version, const machine::Version& new_version,
                  const machine::Uses& old_uses, const machine::Uses& new_uses, const Match& match,
                  execute::CellId old_cell);
-
-/// By old cell: whether it is in a word that the versions begin with different values of, as another preset. Who sets
-/// some of its bits in both sets two words, which no scenario says.
-std::vector<bool> CellsThatStartOtherwise(const machine::Version& old_version, const machine::Version& new_version,
-                                          const Match& match);
 
 /// Old cells that the program sets and the control takes back (machine/requests.h) in both versions.
 std::vector<execute::CellId> MatchedRequests(const machine::Version& old_version, const machine::Version& new_version,

@@ -6,13 +6,10 @@
 namespace plcxx::prove::diff {
 
 Unrolled::Unrolled(terms::Terms& terms, UnrolledVersions versions, InputsChange inputs_change)
-    : terms_(terms),
-      versions_(std::move(versions)),
-      starts_otherwise_(CellsThatStartOtherwise(versions_.old_version, versions_.new_version, versions_.match)),
-      inputs_change_(inputs_change) {}
+    : terms_(terms), versions_(std::move(versions)), inputs_change_(inputs_change) {}
 
 bool Unrolled::IsInput(execute::CellId old_cell) const {
-  return !starts_otherwise_[old_cell.index] &&
+  return !versions_.match.starts_otherwise[old_cell.index] &&
          IsInputPair(versions_.old_version, versions_.new_version, versions_.old_uses, versions_.new_uses,
                      versions_.match, old_cell);
 }

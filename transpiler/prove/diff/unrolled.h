@@ -68,7 +68,6 @@ class Unrolled {
 
   terms::Terms& terms_;
   UnrolledVersions versions_;
-  std::vector<bool> starts_otherwise_;  // see CellsThatStartOtherwise
   InputsChange inputs_change_;
   std::vector<terms::TermId> old_state_, new_state_;  // by cell
   std::vector<Inputs> inputs_;                        // by period

@@ -43,13 +43,11 @@ WideInputs::WideInputs(const UnrolledVersions& versions, const terms::Terms& ter
                                    new_cone = terms::ConeOf(terms, RootsOf(new_relation));
   const std::vector<bool> old_read = ReadCells(terms, old_relation, old_cone),
                           new_read = ReadCells(terms, new_relation, new_cone);
-  const std::vector<bool> starts_otherwise =
-      CellsThatStartOtherwise(versions.old_version, versions.new_version, versions.match);
   for (const execute::CellId old_cell : cells) {
     const execute::CellId new_cell = versions.match.new_of_old[old_cell.index];
     // Nothing follows from the others, and there are thousands of them.
     if (!old_read[old_cell.index] && !(new_cell.valid() && new_read[new_cell.index])) continue;
-    if (starts_otherwise[old_cell.index]) continue;
+    if (versions.match.starts_otherwise[old_cell.index]) continue;
     if (!IsInputPair(versions.old_version, versions.new_version, versions.old_uses, versions.new_uses, versions.match,
                      old_cell))
       continue;

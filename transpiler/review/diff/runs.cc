@@ -136,11 +136,11 @@ std::vector<prove::diff::SetCell> InputsOf(const prove::machine::Version& old_ve
                                            const prove::diff::Match& match) {
   const prove::machine::Uses old_uses = prove::machine::UsesOf(old_version),
                              new_uses = prove::machine::UsesOf(new_version);
-  const std::vector<bool> starts_otherwise = prove::diff::CellsThatStartOtherwise(old_version, new_version, match);
   std::vector<prove::diff::SetCell> inputs;
   for (uint32_t i = 0; i < old_version.cells.calls; ++i) {
     const CellId old_cell(i), new_cell = match.new_of_old[i];
-    if (starts_otherwise[i] || !new_cell.valid() || !(old_uses.reads[i] || new_uses.reads[new_cell.index])) continue;
+    if (match.starts_otherwise[i] || !new_cell.valid() || !(old_uses.reads[i] || new_uses.reads[new_cell.index]))
+      continue;
     if (prove::diff::IsInputPair(old_version, new_version, old_uses, new_uses, match, old_cell)) {
       inputs.push_back({.old_cell = old_cell, .new_cell = new_cell});
     }
