@@ -100,6 +100,14 @@ TEST(Host50Lowering, EdgesStandWhereTheirInstructionStands) {
                           "%3 = load I0", "%4 = and.bit %3 %2", "store Q1 %4"));
 }
 
+// A comparison whose words nothing writes meanwhile is computed where it is used.
+TEST(Host50Lowering, AComparisonIsComputedWhereItIsUsed) {
+  EXPECT_THAT(SlowBody("LD %I0;COMP %W0 + 1 > %W1;ANDP %I1;OUT %Q0"),
+              ElementsAre("stmt Q0", "%0 = load I1", "%1 = step.rising I1_edge %0", "%2 = load I0", "%3 = load W0",
+                          "%4 = const i32 1", "%5 = add.i32 %3 %4", "%6 = load W1", "%7 = sgt.i32 %5 %6",
+                          "%8 = and.bit %2 %7", "%9 = and.bit %8 %1", "store Q0 %9"));
+}
+
 // covers: HOST50-094
 TEST(Host50Lowering, EdgesOfOneOperandAreNamedByTheirStatements) {
   LoweredProgram one, two;

@@ -160,6 +160,24 @@ TEST(Nc110Lowering, AsciiLiteralsShareOneFlag) {
   EXPECT_EQ(lowered.program().texts.size(), 2u);
 }
 
+// covers: NC110-099
+TEST(Nc110Lowering, TextsThatDifferInWhatNoNameCanHoldHaveNamesOfTheirOwn) {
+  const auto names = [](const std::string& statements) {
+    LoweredProgram lowered;
+    LowerInto(lowered, {"$\n" + statements});
+    Text found;
+    for (const ir::StateInstance& state : lowered.program().states) found.push_back(state.name);
+    return found;
+  };
+  const Text both = names("U4A0=\"A-B\" U4A1=\"A B\"");
+  ASSERT_EQ(both.size(), 3u);
+  EXPECT_THAT(both[1], testing::StartsWith("TEXT_A_B_"));
+  EXPECT_THAT(both[2], testing::StartsWith("TEXT_A_B_"));
+  EXPECT_NE(both[1], both[2]);
+  EXPECT_EQ(names("U4A1=\"A B\"").back(), both[2]) << "a text that is added renames no other one's flag";
+  EXPECT_EQ(names("U4A1=\"AzZ09\"").back(), "TEXT_AzZ09");
+}
+
 // covers: NC110-035 NC110-042
 TEST(Nc110Lowering, SymbolsNameTheirPlaces) {
   LoweredProgram lowered;

@@ -138,13 +138,14 @@ TEST(ProstepSchedule, MFunctionsAreATableAndThePartOfTheNc) {
 
 TEST(ProstepSchedule, UsedAddressesAreDocumented) {
   LoweredProgram lowered;
-  LowerInto(lowered, "DDW 20 5 ; czas smarowania\n" + ModuleText(9, ":A I 28.0\n:SP T 5\n: DW 20\n"));
+  LowerInto(lowered, "DDW 20 5 ; czas smarowania\n" +
+                         ModuleText(9, ":A I 28.0\n:SP T 5\n: DW 20\n:SP T 0\n: DW 20\n:CU C 0\n:CU C 63\n"));
   std::vector<std::string> rows;
   for (const ir::Documentation& row : lowered.program().documentation) {
     rows.push_back(row.address + "|" + row.predefined + "|" + row.meaning);
   }
   EXPECT_THAT(rows, ElementsAre("I 28.0|NcAlarm|NC alarm: drives stopped, references cleared", "DW 20||czas smarowania",
-                                "T 5||"));
+                                "T 0||", "T 5||", "C 0||", "C 63||"));
 }
 
 }  // namespace

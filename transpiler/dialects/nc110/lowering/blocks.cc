@@ -59,7 +59,6 @@ void Blocks::Head(ItemId id) {
   const ir::ValueId condition = faulty                    ? builder_.Poison(ir::Type::kBit)
                                 : block.condition.valid() ? expressions_.Evaluate(block.condition, ir::Type::kBit)
                                                           : builder_.Bit(1);
-  builder_.SetRange(tree_.items[id].range);
   const ir::RegionId then = builder_.NewRegion();
   const ir::RegionId otherwise = block.next.valid() ? builder_.NewRegion() : ir::RegionId();
   builder_.If(condition, then, otherwise);
