@@ -419,6 +419,31 @@ TEST(HncLowering, ARefusedAssignmentHasNoSecondErrorAndARefusedComparisonHas) {
   EXPECT_THAT(Errors("int *p; p = nowhere; a = *p;"), ElementsAre("3 E010"));
   EXPECT_THAT(Errors("int *p; if (nowhere == p\n) a = 1; a = *p;"), ElementsAre("3 E010", "4 E050"));
   EXPECT_THAT(Errors("a = *(int *)0x1234; *(char *)16 = 1;"), ElementsAre("3 E048", "3 E048"));
+  // The line of the error may end with the name, or with one that begins like it.
+  EXPECT_THAT(Errors("int *p, *pq; pq = nowhere, a = (int)p\n; a = *p; a = *pq;"), ElementsAre("3 E010", "4 E050"));
+  EXPECT_THAT(Errors("int *p, *pq; a = nowhere == p\n; a = *p; a = *pq;"), ElementsAre("3 E010", "4 E050", "4 E050"));
+  EXPECT_THAT(Errors("int *p, *q; p   = nowhere; a = *p; a = *q;"), ElementsAre("3 E010", "3 E050"));
+}
+
+// covers: HNC-346
+TEST(HncLowering, AnAddressIsAlwaysTrue) {
+  for (const char* pointer : {"table", "&a", "table + 1", "(char *)&a", "&table[2]"}) {
+    LoweredProgram lowered;
+    LowerInto(lowered, WithStatements("if (" + std::string(pointer) + ") b = 1;"));
+    EXPECT_THAT(lowered.Reported(), Contains("3 W13")) << pointer;
+  }
+  LoweredProgram lowered;
+  LowerInto(lowered, WithStatements("if (a ? &b : 0) b = 1;"));
+  EXPECT_THAT(lowered.Reported(), Not(Contains("3 W13")));
+}
+
+TEST(HncLowering, ARefusedRecordIsRefusedOnce) {
+  for (const char* record : {"nowhere", "*(struct s *)0x1234", "a ? r : nowhere", "(a, nowhere)", "none()"}) {
+    EXPECT_THAT(
+        Errors("struct s { int x, y; } r, t; t = " + std::string(record) + "; r = t; a = (t = " + record + ").x;"),
+        testing::SizeIs(2))
+        << record;
+  }
 }
 
 }  // namespace

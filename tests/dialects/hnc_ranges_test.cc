@@ -145,6 +145,14 @@ TEST(HncRanges, ArraysThatAreJustLongEnoughNeedNoCheck) {
       // goto.
       {"n = 2; if (a) goto on; n = 6; on:", "n", 6},
       {"if (n < 0 || n > 9) goto out; k = n; goto on; out: k = 4; on:", "k", 9},
+      // A goto leads into an arm: what the condition says still holds in front of its label.
+      {"n = 0; if (a) goto in; if (u < 10) { n = u; in: ; } else n = 3;", "n", 9},
+      {"n = 0; if (a) goto in; if (u > 19) return; if (u < 10) n = 3; else { n = u - 10; in: ; }", "n", 9},
+      {"if (a) goto in; if (u > 9) { in: return; }", "u", 9},
+      // What is stored beside a cell leaves it as it is.
+      {"if (R[0] > 39) return; for (k = 0; k < 3; k++) R[1] = k;", "R[0]", 39},
+      {"if (R[0] > 39) return; for (k = 0; k < 3; k++) R[1] += 2;", "R[0]", 39},
+      {"if (R[0] > 39) return; for (k = 0; k < 3; k++) R[1]++;", "R[0]", 39},
   };
   for (const Known& row : rows) {
     EXPECT_FALSE(IsChecked(row.before, row.index, row.most + 1)) << row.before << " table[" << row.index << "]";

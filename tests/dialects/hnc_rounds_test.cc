@@ -1,5 +1,6 @@
 // How often a loop is executed at most, as its message says it (specification 6.6), and which loops have no such
 // number.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -252,8 +253,40 @@ TEST(HncRounds, WhatIsNoProofIsRefused) {
            "for (;;) { for (i = 0; i < 5; i++) { if (b) continue; a++; } break; }",
            "while (1) { switch (a) { case 1: for (i = 0; i < 5; i++) { if (b) continue; a++; } } break; }",
            "for (;;) { if (a) { for (i = 0; i < 5; i++) { if (b) continue; a++; } } break; }",
+           // A goto leaves, too.
+           "for (;;) { a++; goto out; } out: b = 1;",
+           "while (1) { if (a) goto out; else goto out; } out: b = 1;",
+           "do { a++; goto out; } while (b); out: b = 1;",
        }) {
     EXPECT_THAT(Errors(loop), testing::IsEmpty()) << loop;
+  }
+}
+
+// Each conjunct of a condition has a reason of its own: said is that of the one that came nearest to a proof, and of
+// two that came as near that of the first.
+TEST(HncRounds, TheReasonIsThatOfTheNearestProof) {
+  struct Cause {
+    std::string condition, body, reason;
+    int step;
+  };
+  const std::vector<Cause> causes = {
+      {"a + b > 0", "", "does not compare a counter with a limit", 0},
+      {"b > 5", "", "nothing in it changes its counter", 1},
+      {"i < 5", "i = i * 2;", "does not change by a constant", 2},
+      {"i < 5", "if (b) i++;", "not changed on every path", 2},
+      {"i < 5", "i++; i++;", "changed in two places", 2},
+      {"n < a", "n++; a++;", "its limit changes in the loop", 3},
+      {"u != 3", "u += 2;", "may step over the end of its type", 4},
+  };
+  for (const Cause& one : causes) {
+    for (const Cause& other : causes) {
+      if (&one == &other || one.condition == other.condition) continue;
+      const std::string loop =
+          "while (" + one.condition + " && " + other.condition + ") { " + one.body + " " + other.body + " }";
+      const std::vector<std::string> reported = RoundsOf(loop);
+      ASSERT_EQ(reported.size(), 1U) << loop;
+      EXPECT_THAT(reported.front(), testing::HasSubstr((one.step >= other.step ? one : other).reason)) << loop;
+    }
   }
 }
 

@@ -78,6 +78,12 @@ bool IsReport(const std::string& name) {
   return names.contains(name);
 }
 
+/// The greater of two numbers is that of them in either order.
+bool TakesEitherOrder(const FunctionDecl& function) {
+  static const std::set<std::string> names = {"std::max", "std::min"};
+  return names.contains(function.getQualifiedNameAsString());
+}
+
 class Finder : public RecursiveASTVisitor<Finder> {
   using Base = RecursiveASTVisitor<Finder>;
 
@@ -442,6 +448,7 @@ class Finder : public RecursiveASTVisitor<Finder> {
   bool SwapArguments(const CallExpr& call, const FunctionDecl& callee, unsigned i) {
     const Expr &first = *call.getArg(i), &second = *call.getArg(i + 1);
     const auto bare = [](QualType type) { return type.getNonReferenceType().getCanonicalType().getUnqualifiedType(); };
+    if (TakesEitherOrder(callee)) return false;
     if (first.isTypeDependent() || second.isTypeDependent() || !IsSimple(first) || !IsSimple(second)) return false;
     if (first.getType().getCanonicalType() != second.getType().getCanonicalType()) return false;
     if (callee.getParamDecl(i)->getType().getCanonicalType() !=

@@ -158,8 +158,7 @@ bool LoopPaths::IsPassedBy(StatementId place, const LoopShape& loop) const {
     for (const StatementId jump : jumps_.JumpsTo(statements[i])) {
       const uint32_t from = jumps_.OrderOf(jump);
       if (from < loop.region.first) continue;
-      const bool on_path = from <= loop.region.last && jumps_.IsPartOf(jump, loop.body);
-      if (!on_path || (from < middle) != (i <= middle)) return true;
+      if (!jumps_.IsPartOf(jump, loop.body) || (from < middle) != (i <= middle)) return true;
     }
   }
   return false;

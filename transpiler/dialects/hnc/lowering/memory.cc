@@ -101,13 +101,14 @@ void Memory::AddSpaces() {
                                     .lifetime = ir::Lifetime::kRoutine});
 }
 
+/// No bit has two initial values, but a byte may have several fields.
 void Memory::PutBytes(ir::SpaceId space, uint32_t offset, uint64_t value, uint32_t bytes) {
   std::vector<ir::InitialByte>& initial = program_.spaces[space].initial;
   for (uint32_t i = 0; i < bytes; ++i) {
     const auto byte = static_cast<uint8_t>(value >> (8 * i));
     const auto at = std::ranges::lower_bound(initial, offset + i, {}, &ir::InitialByte::offset);
     if (at != initial.end() && at->offset == offset + i) {
-      at->value = byte;
+      at->value |= byte;
     } else if (byte != 0) {
       initial.insert(at, {.offset = offset + i, .value = byte});
     }
@@ -148,11 +149,7 @@ void Memory::InitialBytesOf(const InitialValue& initial, uint32_t begin) {
     return;
   }
   const uint64_t mask = (uint64_t{1} << initial.bit_width) - 1;
-  uint64_t unit = 0;
-  for (const ir::InitialByte& byte : program_.spaces[data_].initial) {
-    if (byte.offset >= at && byte.offset < at + type.size) unit |= uint64_t{byte.value} << (8 * (byte.offset - at));
-  }
-  PutBytes(data_, at, unit | (number & mask) << initial.bit_offset, type.size);
+  PutBytes(data_, at, (number & mask) << initial.bit_offset, type.size);
 }
 
 void Memory::AddPointerPlaces(VariableId id) {

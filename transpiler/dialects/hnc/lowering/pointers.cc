@@ -1,5 +1,6 @@
 #include "transpiler/dialects/hnc/lowering/pointers.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "transpiler/dialects/hnc/lowering/conversions.h"
@@ -15,10 +16,10 @@ namespace {
 bool AssignsTo(std::string_view line, std::string_view name) {
   const auto is_part = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
   for (size_t at = line.find(name); at != std::string_view::npos; at = line.find(name, at + 1)) {
-    size_t behind = at + name.size();
-    if ((at > 0 && is_part(line[at - 1])) || (behind < line.size() && is_part(line[behind]))) continue;
-    while (behind < line.size() && line[behind] == ' ') ++behind;
-    if (behind < line.size() && line[behind] == '=' && line.substr(behind, 2) != "==") return true;
+    std::string_view behind = line.substr(at + name.size());
+    if ((at > 0 && is_part(line[at - 1])) || (!behind.empty() && is_part(behind.front()))) continue;
+    behind.remove_prefix(std::min(behind.find_first_not_of(' '), behind.size()));
+    if (behind.starts_with('=') && !behind.starts_with("==")) return true;
   }
   return false;
 }
@@ -137,9 +138,8 @@ bool Pointers::CheckTargets(const Address& address, ExprId at) {
   if (source.valid()) {
     ForEachExpr(unit_, source, [&](ExprId part) {
       const Expr& expr = ExprAt(part);
-      if (expr.kind == ExprKind::kVariable && !variable.valid() && unit_.types[expr.type].kind == TypeKind::kPointer) {
-        variable = expr.variable;
-      }
+      // Of what is no variable none.
+      if (!variable.valid() && unit_.types[expr.type].kind == TypeKind::kPointer) variable = expr.variable;
       if (expr.kind == ExprKind::kPoison) source = {};
     });
   }
