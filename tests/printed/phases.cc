@@ -110,8 +110,7 @@ std::string MapOf(const Input& input) {
 }
 
 /// "12:3 hnc-W18 what was found": of each message.
-std::string MessagesOf(const Input& input) {
-  const compilation::Compilation compiled = CompiledTo(input, Stage::kChecked);
+std::string MessagesIn(const compilation::Compilation& compiled) {
   std::string text;
   for (const diag::Diagnostic& diagnostic : compiled.diagnostics.all()) {
     const source::Position at = compiled.sources->Locate(diagnostic.range.begin);
@@ -120,6 +119,8 @@ std::string MessagesOf(const Input& input) {
   }
   return text;
 }
+
+std::string MessagesOf(const Input& input) { return MessagesIn(CompiledTo(input, Stage::kChecked)); }
 
 /// Where the sources' variables and functions are in the program.
 std::string ReferenceOf(const Input& input) {
@@ -177,6 +178,11 @@ constexpr std::array kPhases = {
 };
 
 }  // namespace
+
+std::string SaidOf(const Input& input) {
+  const compilation::Compilation compiled = CompiledTo(input, Stage::kChecked);
+  return MessagesIn(compiled) + (compiled.ok() ? ir::Print(compiled.program) : "");
+}
 
 std::span<const Phase> Phases() { return kPhases; }
 

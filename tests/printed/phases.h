@@ -26,4 +26,7 @@ struct Phase {
 };
 std::span<const Phase> Phases();
 
+/// Not among them, for it is two in one compilation: all messages, and without errors the program in its structure.
+std::string SaidOf(const Input& input);
+
 }  // namespace plcxx::printed

@@ -11,7 +11,6 @@
 #include <variant>
 
 #include "tests/printed/groups.h"
-#include "tests/printed/phases.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/scenario.h"
 
@@ -40,6 +39,25 @@ std::string ReadText(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Printed once for each language and phase.
+const std::string& OfPlainProgram(const Phase& phase, std::string_view dialect) {
+  static std::map<std::pair<std::string_view, std::string_view>, std::string> printed;
+  const auto* const plain = std::ranges::find(kPlain, dialect, &Plain::dialect);
+  static const std::string nothing;
+  if (plain == kPlain.end()) return nothing;
+  const auto [found, is_new] = printed.try_emplace({phase.name, plain->dialect});
+  if (is_new) {
+    Input input;
+    input.request.dialect = plain->dialect;
+    input.request.sources = {std::string(plain->file)};
+    input.request.texts = {{std::string(plain->file), std::string(plain->text)}};
+    found->second = phase.print(input);
+  }
+  return found->second;
+}
+
+}  // namespace
+
 std::optional<Input> InputOf(const fs::path& file) {
   Input input;
   if (file.extension() == ".ir") {
@@ -62,24 +80,9 @@ std::optional<Input> InputOf(const fs::path& file) {
   return input;
 }
 
-/// Printed once for each language and phase.
-const std::string& OfPlainProgram(const Phase& phase, std::string_view dialect) {
-  static std::map<std::pair<std::string_view, std::string_view>, std::string> printed;
-  const auto* const plain = std::ranges::find(kPlain, dialect, &Plain::dialect);
-  static const std::string nothing;
-  if (plain == kPlain.end()) return nothing;
-  const auto [found, is_new] = printed.try_emplace({phase.name, plain->dialect});
-  if (is_new) {
-    Input input;
-    input.request.dialect = plain->dialect;
-    input.request.sources = {std::string(plain->file)};
-    input.request.texts = {{std::string(plain->file), std::string(plain->text)}};
-    found->second = phase.print(input);
-  }
-  return found->second;
+std::string OwnTextOf(const Phase& phase, const Input& input) {
+  return OwnLines(phase.print(input), {OfPlainProgram(phase, input.request.dialect)});
 }
-
-}  // namespace
 
 std::vector<Row> ReadCorpus(const fs::path& file) {
   std::vector<Row> rows;

@@ -6,9 +6,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tests/printed/phases.h"
 
 namespace plcxx::printed {
 
@@ -24,6 +27,12 @@ std::vector<Row> ReadCorpus(const fs::path& file);
 
 /// Those that a row may ask for.
 std::vector<std::string_view> PhaseNames();
+
+/// A scenario's program, a source of hnc or an IR text; none: it cannot be read.
+std::optional<Input> InputOf(const fs::path& file);
+
+/// What the phase prints of it and does not print of every program of its language.
+std::string OwnTextOf(const Phase& phase, const Input& input);
 
 /// The text to keep of a row; what is wrong with the row, as its only line, when it asks for what is not there.
 std::string PrintedText(const fs::path& root, const Row& row);

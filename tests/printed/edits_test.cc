@@ -1,0 +1,130 @@
+// What plcxx says of programs with one word changed, and what they become, is as it was when it was kept: for a change
+// of a lowering, a check or a pass that shows in programs only that nobody writes. Kept are hashes, in edits.txt; which
+// edits they are of is said where one differs, so that the program can be made and printed by another build.
+#include "tests/printed/edits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "tests/printed/printed.h"
+#include "transpiler/support/fnv1a.h"
+#include "transpiler/support/hex.h"
+
+namespace plcxx::printed {
+namespace {
+
+const fs::path kProject = PLCXX_ROOT;
+const fs::path kKept = kProject / "tests/printed/edits.txt";
+constexpr size_t kEditsOfC = 32, kEditsOfLines = 8;
+constexpr Phase kSaid{"said", SaidOf, ""};
+
+/// A program, and the hash of each of its edits.
+struct Kept {
+  std::string path;
+  std::vector<std::string> hashes;
+};
+
+/// Lines that are comments or empty are kept as they are, with all of it as the path.
+std::vector<Kept> ReadKept() {
+  std::vector<Kept> rows;
+  std::ifstream in(kKept);
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line.front() == '#') {
+      rows.push_back({line, {}});
+      continue;
+    }
+    std::istringstream words(line);
+    Kept row;
+    words >> row.path;
+    for (std::string hash; words >> hash;) row.hashes.push_back(hash);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+void WriteKept(const Kept& changed) {
+  const std::vector<Kept> rows = ReadKept();
+  std::ofstream out(kKept, std::ios::binary);
+  for (const Kept& row : rows) {
+    out << row.path;
+    for (const std::string& hash : row.path == changed.path ? changed.hashes : row.hashes) out << ' ' << hash;
+    out << '\n';
+  }
+}
+
+std::vector<Kept> Programs() {
+  std::vector<Kept> rows = ReadKept();
+  std::erase_if(rows, [](const Kept& row) { return row.path.empty() || row.path.front() == '#'; });
+  return rows;
+}
+
+class Edits : public testing::TestWithParam<Kept> {};
+
+TEST_P(Edits, AreAsKept) {
+  const Kept& kept = GetParam();
+  const std::optional<Input> input = InputOf(kProject / kept.path);
+  ASSERT_TRUE(input && !input->request.texts.empty()) << "no program that is written in the file";
+  const bool is_c = input->request.dialect == "hnc";
+  const Writing writing = is_c ? Writing::kC : Writing::kLines;
+  const auto& [name, text] = *input->request.texts.begin();
+  Kept now{kept.path, {}};
+  for (size_t number = 0; number < (is_c ? kEditsOfC : kEditsOfLines); ++number) {
+    const Edit edit = EditOf(text, writing, support::HashOf64(kept.path) + number);
+    Input edited = *input;
+    edited.request.texts[name] = Edited(text, edit);
+    const std::string said = OwnTextOf(kSaid, edited);
+    EXPECT_EQ(said.find(kProject.string()), std::string::npos) << name << ':' << Described(text, edit);
+    now.hashes.push_back(support::HexDigits(support::HashOf32(said), 8));
+    const bool same = number < kept.hashes.size() && kept.hashes[number] == now.hashes.back();
+    const char* const update = std::getenv("PLCXX_UPDATE_GOLDEN");
+    if (update == nullptr) EXPECT_TRUE(same) << name << ':' << Described(text, edit);
+  }
+  if (now.hashes != kept.hashes && std::getenv("PLCXX_UPDATE_GOLDEN") != nullptr) WriteKept(now);
+}
+
+std::string NameOfParameter(const testing::TestParamInfo<Kept>& info) {
+  std::string name = fs::path(info.param.path).replace_extension().generic_string();
+  if (fs::path(info.param.path).extension() == ".c") name.insert(0, "hnc_");
+  std::ranges::replace_if(name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, Edits, testing::ValuesIn(Programs()), NameOfParameter);
+
+/// Whether one of many edits makes it of a text.
+bool Makes(std::string_view edited, std::string_view text, Writing writing) {
+  for (uint64_t number = 0; number < 4000; ++number) {
+    if (Edited(text, EditOf(text, writing, number)) == edited) return true;
+  }
+  return false;
+}
+
+TEST(PrintedEdits, AreOfEachKind) {
+  const std::string_view c = "if (a<=b) c = 7; // e f\n";
+  for (const char* edited : {"if (a>b) c = 7; // e f\n", "if (a!=b) c = 7; // e f\n", "while (a<=b) c = 7; // e f\n",
+                             "if (a<=b) c |= 7; // e f\n", "if (a<=b) c = 8; // e f\n", "if (a<=b) c = 0; // e f\n",
+                             "if (c<=b) c = 7; // e f\n", "if (a<=b) ; // e f\n", "if a<=b) c = 7; // e f\n"}) {
+    EXPECT_TRUE(Makes(edited, c, Writing::kC)) << edited;
+  }
+  EXPECT_FALSE(Makes("if (a<=b) c = 7; // f f\n", c, Writing::kC));
+  const std::string_view lines = " LD A ; on\n OUT B\n";
+  for (const char* edited : {" LD A ; on\n \n", " LD OUT ; on\n OUT B\n", " LD A ; on\n OUT LD\n"}) {
+    EXPECT_TRUE(Makes(edited, lines, Writing::kLines)) << edited;
+  }
+  EXPECT_FALSE(Makes(" LD A ; LD\n OUT B\n", lines, Writing::kLines));
+}
+
+TEST(PrintedEdits, AreTheSameForTheSameNumber) {
+  const std::string_view text = "a = b + 1;\n";
+  EXPECT_EQ(Edited(text, EditOf(text, Writing::kC, 5)), Edited(text, EditOf(text, Writing::kC, 5)));
+  EXPECT_EQ(Described(text, {4, 5, "a"}), "1: 'b' -> 'a'");
+  EXPECT_EQ(Edited("", EditOf("", Writing::kC, 5)), "");
+}
+
+}  // namespace
+}  // namespace plcxx::printed
