@@ -357,6 +357,65 @@ TEST(HncLowering, EachCellIsDocumentedByWhatItIsCalled) {
   EXPECT_EQ(symbols["table[5]"], "table[5]");
 }
 
+// Neither what the runtime keeps nor strings and automatic arrays.
+TEST(HncLowering, OnlyAreasAndVariablesAreDocumented) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            WithStatements("char *s = \"ab\"; int own[3]; own[b & 1] = get_handwheel(0); own[2] = s[0]; Y[1] = own[2];"
+                           "handwheel(0, 1, 2); a = own[b & 1];"));
+  std::vector<std::string> addresses;
+  for (const ir::Documentation& known : lowered.program().documentation) {
+    if (known.address.find('[') != std::string::npos) addresses.push_back(known.address);
+  }
+  EXPECT_THAT(addresses, Contains("Y[1]"));
+  EXPECT_THAT(addresses, testing::Each(testing::MatchesRegex("(X_ul|Y|F).[0-9]+.")));
+}
+
+// covers: HNC-346
+TEST(HncLowering, APointerToWhatOutlivesTheFunctionIsGiven) {
+  for (const auto& [function, errors] :
+       std::vector<std::pair<std::string, size_t>>{{"int *f(int p) { static int s; return &s; }", 0},
+                                                   {"int *f(int p) { static int s[3]; return s + 1; }", 0},
+                                                   {"int *f(int p) { return &a; }", 0},
+                                                   {"int *f(int p) { int s = p; return &s; }", 1},
+                                                   {"int *f(int p) { return &p; }", 1},
+                                                   {"int *f(int p) { int s[3]; return p ? s : &a; }", 1},
+                                                   {"int *f(int p) { if (p) return &a; return 0; }", 0}}) {
+    LoweredProgram lowered;
+    LowerInto(lowered, "#include \"plc.h\"\nint a;\n" + function +
+                           "\nvoid init() { plc1_time = 16; plc2_time = 32; }\n"
+                           "void plc1() { int *q; q = f(3); *q = 1; }\nvoid plc2() { }\n");
+    std::vector<std::string> reported = lowered.Reported();
+    std::erase_if(reported, [](const std::string& line) { return !line.ends_with(" E049"); });
+    EXPECT_EQ(reported.size(), errors) << function << testing::PrintToString(lowered.Reported());
+  }
+}
+
+// covers: HNC-346
+TEST(HncLowering, AFunctionThatGivesNothingIsReportedButTheEntriesAreNot) {
+  const auto reported = [](const std::string& functions) {
+    LoweredProgram lowered;
+    LowerInto(lowered, "#include \"plc.h\"\nint a, *q;\n" + functions);
+    std::vector<std::string> lines = lowered.Reported();
+    std::erase_if(lines, [](const std::string& line) { return !line.ends_with(" W25"); });
+    return lines;
+  };
+  for (const char* body : {" a = 1; ", " if (a) return; a = 1; return; ", " if (a) return 1; a = 1; "}) {
+    const std::string entries = std::string("int init() { plc1_time = 16; plc2_time = 32; ") + body +
+                                "}\nint plc1() {" + body + "}\nint plc2() {" + body + "}\n";
+    EXPECT_THAT(reported(entries), IsEmpty()) << body;
+    EXPECT_THAT(
+        reported("int other() {" + std::string(body) +
+                 "}\nvoid init() { plc1_time = 16; plc2_time = 32; }\nvoid plc1() { a = other(); }\nvoid plc2() { }\n"),
+        Contains("3 W25"))
+        << body;
+  }
+  EXPECT_THAT(
+      reported("int *other() { if (a > 2) return; return &a; }\nvoid init() { plc1_time = 16; plc2_time = 32; }\n"
+               "void plc1() { q = other(); }\nvoid plc2() { }\n"),
+      Contains("3 W25"));
+}
+
 TEST(HncLowering, OfAnIntegerTheInitialValueIsDocumented) {
   LoweredProgram lowered;
   LowerInto(lowered,

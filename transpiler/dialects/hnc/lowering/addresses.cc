@@ -17,6 +17,15 @@ namespace plcxx::hnc {
 using ir::OpKind;
 using ir::ValueId;
 
+namespace {
+
+/// Whether the objects that two pointers refer to have to be compared as well.
+bool MayBeOfSeveral(const Address& a, const Address& b) {
+  return a.object.valid() || a.targets.objects != b.targets.objects;  // that of b has one only where that of a has, too
+}
+
+}  // namespace
+
 Lvalue Addresses::EvaluateLvalue(ExprId id) {
   // Members and elements nest on their left side: the innermost object first.
   std::vector<ExprId> outer;
@@ -232,7 +241,7 @@ Value Addresses::ComparePointers(const Expr& expr) {
   // Two null pointers are equal, whatever else they may refer to.
   const bool nulls = pointers_.MayBeNull(a) && pointers_.MayBeNull(b);
   if (apart) return outcome(nulls ? Pure(OpKind::kBitAnd, {is_null(x), is_null(y)}) : builder_.Bit(0));
-  const bool several = a.object.valid() || b.object.valid() || a.targets.objects != b.targets.objects;
+  const bool several = MayBeOfSeveral(a, b);
   ValueId same;
   if (several) same = Pure(OpKind::kEqual16, {pointers_.ObjectOf(a), pointers_.ObjectOf(b)});
   const auto with_same = [&](ValueId bit) { return several ? Pure(OpKind::kBitAnd, {same, bit}) : bit; };
@@ -278,7 +287,7 @@ Value Addresses::PointerDifference(const Expr& expr) {
   ValueId difference = Pure(OpKind::kSub32, {pointers_.OffsetOf(a), pointers_.OffsetOf(b)});
   if (size > 1) difference = Pure(OpKind::kSignedDiv32, {difference, Long(size)});
   ValueId number = Pure(OpKind::kLowHalf32, {difference});
-  if (a.object.valid() || b.object.valid() || a.targets.objects != b.targets.objects) {
+  if (MayBeOfSeveral(a, b)) {
     const ValueId same = Pure(OpKind::kEqual16, {pointers_.ObjectOf(a), pointers_.ObjectOf(b)});
     number = Pure(OpKind::kSelect16, {same, number, Word(0)});
   }

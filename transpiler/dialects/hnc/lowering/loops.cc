@@ -63,7 +63,7 @@ void Loops::Lower(const Statement& statement) {
   if (once) {
     statements_.Lower(statement.then, Tail::kNone);
     path_.PlaceLabel(on_continue);
-  } else if (always == false && !is_do) {
+  } else if (always == false) {
     // Never entered.
     const Flow before = flow_;
     flow_.reachable = false;

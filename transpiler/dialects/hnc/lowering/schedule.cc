@@ -199,7 +199,6 @@ uint32_t Schedule::LongestPeriod(Storage storage) const {
     if (variable.storage != storage) continue;
     for (const InitialValue& initial : variable.initial) take(initial.value);
     const ObjectId object = objects_.OfVariable(VariableId(i));
-    if (!object.valid()) continue;
     for (const FunctionId id : unit_.definitions) {
       if (facts_.PartsOf(id) == 0 || !facts_.WritesOf(id).Has(object)) continue;
       ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId part) {
