@@ -33,6 +33,20 @@ TEST(HncDiagnostics, AddressesAndTables) {
   EXPECT_THAT(ErrorsOf("void f() { X = 1; }\n"), ElementsAre("3:14 E021"));
 }
 
+// Clang takes the sum of an integer and an address for one.
+TEST(HncDiagnostics, AnAddressIsAddedToNoNumber) {
+  for (const char* address : {"p", "&b", "t", "b ? &b : t", "(b, p)", "f()", "\"ab\"", "b ? p : 0"}) {
+    for (const char* target : {"a", "c", "l", "t[1]"}) {
+      for (const char* sign : {"+=", "-=", "*="}) {
+        EXPECT_THAT(ErrorsOf("int a, b, t[4], *p; unsigned char c; long l;\nint *f() { return p; }\nvoid g() {\n" +
+                             std::string(target) + ' ' + sign + ' ' + address + "; }\n"),
+                    ElementsAre(testing::AllOf(testing::StartsWith("6:"), testing::EndsWith(" E019"))))
+            << target << sign << address;
+      }
+    }
+  }
+}
+
 TEST(HncDiagnostics, Declarations) {
   EXPECT_THAT(ErrorsOf("void (*p)(void);\n"), ElementsAre("3:8 E045"));
   EXPECT_THAT(ErrorsOf("struct s { char *p; } a;\n"), ElementsAre("3:18 E050"));

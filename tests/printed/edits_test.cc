@@ -7,94 +7,49 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
 
+#include "tests/printed/hashes.h"
 #include "tests/printed/printed.h"
 #include "transpiler/support/fnv1a.h"
-#include "transpiler/support/hex.h"
 
 namespace plcxx::printed {
 namespace {
 
 const fs::path kProject = PLCXX_ROOT;
 const fs::path kKept = kProject / "tests/printed/edits.txt";
-constexpr size_t kEditsOfC = 32, kEditsOfLines = 8;
+constexpr size_t kEditsOfC = 8, kEditsOfLines = 8;
 constexpr Phase kSaid{"said", SaidOf, ""};
 
-/// A program, and the hash of each of its edits.
-struct Kept {
-  std::string path;
-  std::vector<std::string> hashes;
-};
-
-/// Lines that are comments or empty are kept as they are, with all of it as the path.
-std::vector<Kept> ReadKept() {
-  std::vector<Kept> rows;
-  std::ifstream in(kKept);
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line.front() == '#') {
-      rows.push_back({line, {}});
-      continue;
-    }
-    std::istringstream words(line);
-    Kept row;
-    words >> row.path;
-    for (std::string hash; words >> hash;) row.hashes.push_back(hash);
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-void WriteKept(const Kept& changed) {
-  const std::vector<Kept> rows = ReadKept();
-  std::ofstream out(kKept, std::ios::binary);
-  for (const Kept& row : rows) {
-    out << row.path;
-    for (const std::string& hash : row.path == changed.path ? changed.hashes : row.hashes) out << ' ' << hash;
-    out << '\n';
-  }
-}
-
-std::vector<Kept> Programs() {
-  std::vector<Kept> rows = ReadKept();
-  std::erase_if(rows, [](const Kept& row) { return row.path.empty() || row.path.front() == '#'; });
-  return rows;
-}
-
-class Edits : public testing::TestWithParam<Kept> {};
+class Edits : public testing::TestWithParam<HashRow> {};
 
 TEST_P(Edits, AreAsKept) {
-  const Kept& kept = GetParam();
-  const std::optional<Input> input = InputOf(kProject / kept.path);
+  const std::string& path = GetParam().name;
+  const std::optional<Input> input = InputOf(kProject / path);
   ASSERT_TRUE(input && !input->request.texts.empty()) << "no program that is written in the file";
   const bool is_c = input->request.dialect == "hnc";
-  const Writing writing = is_c ? Writing::kC : Writing::kLines;
   const auto& [name, text] = *input->request.texts.begin();
-  Kept now{kept.path, {}};
+  const auto edit = [&](size_t number) {
+    return EditOf(text, is_c ? Writing::kC : Writing::kLines, support::HashOf64(path) + number);
+  };
+  HashRow now{path, {}};
   for (size_t number = 0; number < (is_c ? kEditsOfC : kEditsOfLines); ++number) {
-    const Edit edit = EditOf(text, writing, support::HashOf64(kept.path) + number);
     Input edited = *input;
-    edited.request.texts[name] = Edited(text, edit);
+    edited.request.texts[name] = Edited(text, edit(number));
     const std::string said = OwnTextOf(kSaid, edited);
-    EXPECT_EQ(said.find(kProject.string()), std::string::npos) << name << ':' << Described(text, edit);
-    now.hashes.push_back(support::HexDigits(support::HashOf32(said), 8));
-    const bool same = number < kept.hashes.size() && kept.hashes[number] == now.hashes.back();
-    const char* const update = std::getenv("PLCXX_UPDATE_GOLDEN");
-    if (update == nullptr) EXPECT_TRUE(same) << name << ':' << Described(text, edit);
+    EXPECT_EQ(said.find(kProject.string()), std::string::npos) << name << ':' << Described(text, edit(number));
+    now.hashes.push_back(HashOf(said));
   }
-  if (now.hashes != kept.hashes && std::getenv("PLCXX_UPDATE_GOLDEN") != nullptr) WriteKept(now);
+  ExpectKept(kKept, now, [&](size_t number) { return name + ':' + Described(text, edit(number)); });
 }
 
-std::string NameOfParameter(const testing::TestParamInfo<Kept>& info) {
-  std::string name = fs::path(info.param.path).replace_extension().generic_string();
-  if (fs::path(info.param.path).extension() == ".c") name.insert(0, "hnc_");
+std::string NameOfParameter(const testing::TestParamInfo<HashRow>& info) {
+  std::string name = fs::path(info.param.name).replace_extension().generic_string();
+  if (fs::path(info.param.name).extension() == ".c") name.insert(0, "hnc_");
   std::ranges::replace_if(name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, Edits, testing::ValuesIn(Programs()), NameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Corpus, Edits, testing::ValuesIn(ReadHashes(kKept)), NameOfParameter);
 
 /// Whether one of many edits makes it of a text.
 bool Makes(std::string_view edited, std::string_view text, Writing writing) {

@@ -167,6 +167,13 @@ ExprId OperatorConverter::Assignment(const clang::BinaryOperator* expr) {
 
 ExprId OperatorConverter::CompoundAssignment(const clang::CompoundAssignOperator* expr) {
   if (ReportTableStore(expr->getLHS())) return builder_.Poison(expr);
+  if (expr->getRHS()
+          ->getType()
+          ->isPointerType()) {  // which Clang adds to an integer as it adds an integer to a pointer
+    const source::Range range = RangeOf(expr->getRHS());
+    findings().Report(range, diag::HncPointerAsValue, "'" + Written(range) + "' is an address");
+    return builder_.Poison(expr);
+  }
   Expr result = builder_.Start(ExprKind::kCompoundAssign, expr);
   result.is_lvalue = false;
   result.op = session_.places.OfToken(expr->getOperatorLoc());
