@@ -1,10 +1,13 @@
 #include "transpiler/scenarios/property_monitor.h"
 
-#include <algorithm>
+#include <bit>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include "transpiler/prove/properties/condition.h"
 #include "transpiler/symbolic/meaning/meaning.h"
+#include "transpiler/symbolic/terms/evaluate.h"
 
 namespace plcxx::scenarios {
 namespace {
@@ -27,29 +30,42 @@ ir::Place PlaceOf(const ir::Program& program, const execute::Cell& cell) {
 
 PropertyMonitor::PropertyMonitor(const ir::Program& program, const execute::Cells& cells,
                                  std::vector<prove::properties::Property> properties)
-    : program_(program), properties_(std::move(properties)) {
-  std::erase_if(properties_, [](const prove::properties::Property& property) {
+    : program_(program) {
+  std::erase_if(properties, [](const prove::properties::Property& property) {
     return property.kind == prove::properties::PropertyKind::kNeverStuck;
   });
-  for (const prove::properties::Property& property : properties_) {
-    window_ = std::max(window_, prove::properties::WindowOf(property));
+  std::map<execute::CellId, terms::TermId> variables;
+  for (const prove::properties::Property& property : properties) {
     for (const prove::properties::PropertyOperand& operand : property.operands) {
       for (const execute::CellId id : operand.cells) {
-        if (std::ranges::find(watched_, id, &Watched::cell) != watched_.end()) continue;
+        const auto [known, is_new] = variables.try_emplace(id);
+        if (!is_new) continue;
         const execute::Cell cell = execute::CellAt(program, cells, id);
-        watched_.push_back({id, PlaceOf(program, cell), execute::CellWidth(program, cell)});
+        known->second = terms_.Variable("cell", execute::CellWidth(program, cell));
+        places_.push_back(PlaceOf(program, cell));
       }
     }
   }
+  const auto value = [&variables](execute::CellId cell) { return variables.at(cell); };
+  for (const prove::properties::Property& property : properties) {
+    Watched& watched = properties_.emplace_back(Watched{.text = property.text, .kind = property.kind});
+    watched.holds = prove::properties::HoldsByCounting(
+        terms_, property, value, [&](uint32_t most, const std::function<terms::TermId(terms::TermId)>& next) {
+          const uint32_t variable = terms_.variable_count();
+          const terms::TermId before = terms_.Variable("count", static_cast<uint8_t>(std::bit_width(most)));
+          watched.counts.push_back({variable, next(before)});
+          return watched.counts.back().next;
+        });
+  }
   for (const ir::Routine& routine : program.routines) sliced_ = sliced_ || (routine.sliced && routine.slices > 1);
   sliced_ = sliced_ && program.schedule.slow_done.valid();
+  PowerOn();
 }
 
 void PropertyMonitor::PowerOn() {
-  period_ = 0;
   slow_done_ = 0;
   fast_ran_alone_ = false;
-  history_.clear();
+  values_.assign(terms_.variable_count(), 0);
 }
 
 void PropertyMonitor::BeginAt(sim::Engine& engine) {
@@ -71,21 +87,16 @@ bool PropertyMonitor::IsEndOfPeriod(sim::Engine& engine, sim::Clock::Part part) 
 
 void PropertyMonitor::AfterPart(sim::Engine& engine, sim::Clock::Part part) {
   if (properties_.empty() || violation_ || !IsEndOfPeriod(engine, part)) return;
-  constexpr uint32_t kMostTerms = 1 << 16;  // a machine that runs for days has a value for each of them
-  if (terms_.size() > kMostTerms) terms_ = terms::Terms();
-  ++period_;
-  history_.emplace_front();
-  for (const Watched& watched : watched_) history_.front()[watched.cell] = engine.Read(watched.place);
-  if (history_.size() > window_) history_.pop_back();
-  const auto value = [this](execute::CellId cell, uint32_t period) {
-    const auto watched = std::ranges::find(watched_, cell, &Watched::cell);
-    return terms_.Const(history_[period_ - period].at(cell), watched->width);
-  };
-  for (const prove::properties::Property& property : properties_) {
-    if (terms_.IsTrue(prove::properties::HoldsAfter(terms_, property, period_, value))) continue;
-    violation_ = "property '" + property.text + "' does not hold";
+  for (size_t i = 0; i < places_.size(); ++i) values_[i] = engine.Read(places_[i]);
+  const std::vector<uint64_t> after = terms::EvaluateAll(terms_, values_, terms::TermId(terms_.size() - 1));
+  for (const Watched& watched : properties_) {
+    for (const Count& count : watched.counts) values_[count.variable] = after[count.next.index];
+    if (violation_ || after[watched.holds.index] != 0) continue;
+    violation_ = "property '" + watched.text + "' does not hold";
     if (fast_ran_alone_) *violation_ += "; the fast part ran alone before, and a proof is about whole periods";
-    return;
+    // Who asked waits no longer.
+    if (watched.kind == prove::properties::PropertyKind::kResponse && !watched.counts.empty())
+      values_[watched.counts.back().variable] = 0;
   }
 }
 

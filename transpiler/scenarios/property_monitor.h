@@ -6,8 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,24 +36,28 @@ class PropertyMonitor {
   void GoOn() { violation_.reset(); }
 
  private:
+  /// A number that lives from period to period (HoldsByCounting).
+  struct Count {
+    uint32_t variable;
+    terms::TermId next;  // what it is after a period
+  };
   struct Watched {
-    execute::CellId cell;
-    ir::Place place;
-    uint8_t width;
+    std::string text;
+    prove::properties::PropertyKind kind;
+    terms::TermId holds;
+    std::vector<Count> counts;  // the last one of a response: since when it has been waited for
   };
 
   bool IsEndOfPeriod(sim::Engine& engine, sim::Clock::Part part);
 
   const ir::Program& program_;
-  std::vector<prove::properties::Property> properties_;
-  std::vector<Watched> watched_;
-  uint32_t window_ = 1;
+  std::vector<ir::Place> places_;  // of the first variables
+  terms::Terms terms_;
+  std::vector<Watched> properties_;
+  std::vector<uint64_t> values_;  // by variable
   bool sliced_ = false;
   uint64_t slow_done_ = 0;
   bool fast_ran_alone_ = false;
-  uint32_t period_ = 0;
-  std::deque<std::map<execute::CellId, uint64_t>> history_;  // of the last periods, the present one in front
-  terms::Terms terms_;
   std::optional<std::string> violation_;
 };
 

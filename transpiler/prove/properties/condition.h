@@ -21,7 +21,7 @@ using CountPeriods =
     std::function<terms::TermId(uint32_t most, const std::function<terms::TermId(terms::TermId before)>& next)>;
 
 /// The same of the period that `value` tells, with counts instead of the periods before it: what is held for long, and
-/// what is waited for, is one number.
+/// what is waited for, is one number. The last count of a response is how long the oldest question has been open.
 terms::TermId HoldsByCounting(terms::Terms& terms, const Property& property,
                               const std::function<terms::TermId(execute::CellId cell)>& value,
                               const CountPeriods& count);
