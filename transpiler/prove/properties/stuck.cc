@@ -92,6 +92,11 @@ PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search,
 }
 
 PropertyChecker::Reach PropertyChecker::ReachFromAnywhere(StuckSearch& search, PropertyResult& result) {
+  // Of a state only what the output depends on counts: facts are looked for around it. Properties that were checked
+  // before have asked for other cells.
+  std::vector<bool> matters(version_.cells.count);
+  for (const execute::CellId cell : CellsBehind(terms_, *silent_, search.property.operands.front().cells))
+    matters[cell.index] = true;
   std::vector<terms::TermId> conditions;
   for (const invariants::Invariant& invariant : invariants_) {
     conditions.push_back(
@@ -111,7 +116,9 @@ PropertyChecker::Reach PropertyChecker::ReachFromAnywhere(StuckSearch& search, P
       return Reach::kUnknown;
     }
     std::map<execute::CellId, uint64_t> state;
-    for (const auto& [cell, variable] : anywhere_->start_variables()) state[cell] = solver_->ValueOf(variable);
+    for (const auto& [cell, variable] : anywhere_->start_variables()) {
+      if (matters[cell.index]) state[cell] = solver_->ValueOf(variable);
+    }
     const uint64_t time = solver_->ValueOf(anywhere_->TimeAfter(0));
     const Reach found = FindStrategy(search, state, time, result);
     if (found != Reach::kAlways) return found;
