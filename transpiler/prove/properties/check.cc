@@ -151,9 +151,12 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
     if (result.verdict == PropertyVerdict::kUndecided) try_runs();
     return true;
   };
-  // A long wait is found sooner by waiting.
-  if (window > kMostQuickWindow && (try_runs() || (!options_.only_runs && TryCounting(property, result))))
-    return result;
+  if (window > kMostQuickWindow) {
+    // A long wait is found sooner by waiting, if it is found at all; what holds is counted.
+    if (TryRuns(property, std::min(kMostQuickMs, RestMs() / kSearchShare), true, result)) return result;
+    if (!options_.only_runs && TryCountingIn(RestMs() - RestMs() / kThoroughShare, property, result)) return result;
+    if (try_runs()) return result;
+  }
   // After `window` - 1 periods the induction looks at whole windows.
   for (uint32_t period = 1; period <= window; ++period) {
     if (search_runs(period)) return result;

@@ -139,6 +139,8 @@ class PropertyChecker {
                            const std::function<std::optional<StateWord>(terms::TermId variable)>& more);
   // By counting periods (check_counting.cc).
   bool TryCounting(const Property& property, PropertyResult& result);
+  /// The same within a part of the time that is left.
+  bool TryCountingIn(uint32_t milliseconds, const Property& property, PropertyResult& result);
   std::vector<std::vector<terms::TermId>> RegistersAmong(const std::vector<execute::CellId>& cells);
   void FindInvariantsFor(const Property& property);
   void FindInvariantsAround(const std::vector<execute::CellId>& cells);

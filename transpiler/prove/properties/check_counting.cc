@@ -1,5 +1,6 @@
 // Properties that speak about long times: what has been held, and what is waited for, is counted.
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <set>
 
@@ -81,6 +82,14 @@ std::vector<std::vector<terms::TermId>> PropertyChecker::RegistersAmong(const st
     }
   }
   return registers;
+}
+
+bool PropertyChecker::TryCountingIn(uint32_t milliseconds, const Property& property, PropertyResult& result) {
+  const auto end = deadline_;
+  deadline_ = std::min(end, std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds));
+  const bool proved = TryCounting(property, result);
+  deadline_ = end;
+  return proved;
 }
 
 bool PropertyChecker::TryCounting(const Property& property, PropertyResult& result) {
