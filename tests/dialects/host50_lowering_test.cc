@@ -101,11 +101,17 @@ TEST(Host50Lowering, EdgesStandWhereTheirInstructionStands) {
 }
 
 // A comparison whose words nothing writes meanwhile is computed where it is used.
-TEST(Host50Lowering, AComparisonIsComputedWhereItIsUsed) {
+TEST(Host50Lowering, WhatNothingChangesIsComputedWhereItIsUsed) {
   EXPECT_THAT(SlowBody("LD %I0;COMP %W0 + 1 > %W1;ANDP %I1;OUT %Q0"),
               ElementsAre("stmt Q0", "%0 = load I1", "%1 = step.rising I1_edge %0", "%2 = load I0", "%3 = load W0",
                           "%4 = const i32 1", "%5 = add.i32 %3 %4", "%6 = load W1", "%7 = sgt.i32 %5 %6",
                           "%8 = and.bit %2 %7", "%9 = and.bit %8 %1", "store Q0 %9"));
+  // An edge that was taken does not change with its contact, which the counter of the second block writes.
+  EXPECT_THAT(SlowBody("LD %I1;ANDP %C1.Q;LD %I0;CNUD %C1, 5, P=0, M=0, N=0;ANB;OUT %Q0"),
+              ElementsAre("stmt C1", "%0 = load C1.Q", "%1 = step.rising C1.Q_edge %0", "%2 = load I0",
+                          "%3 = const i32 5", "%4 = const bit 0", "%5 = const bit 0", "%6 = const bit 0",
+                          "%7 = counter_pins %4 %5 %6", "%8 = step.count_ring C1 %2 %3 %7", "%9 = load I1",
+                          "%10 = and.bit %9 %1", "%11 = and.bit %10 %8", "store Q0 %11"));
 }
 
 // covers: HOST50-094
