@@ -86,7 +86,6 @@ void Converter::CollectNames() {
 }
 
 void Converter::Run() {
-  unit_.expressions.Reserve(session_.tokens.size());  // about as many, and growing copies all of them again and again
   CollectComments();
   statements_.SetLoopBounds(CollectLoopBounds());
   unit_.char_is_signed = context_.getLangOpts().CharIsSigned != 0;

@@ -6,8 +6,9 @@
 
 namespace plcxx::hnc {
 
-void ExpressionBuilder::LocateMacro(const clang::Expr* expr, Expr& result) const {
+void ExpressionBuilder::Locate(const clang::Expr* expr, Expr& result) const {
   const clang::SourceLocation begin = now_.extents.BeginOf(expr), end = now_.extents.EndOf(expr);
+  result.range = session_.places.Of(begin, end);
   if (!begin.isMacroID()) return;
   const auto use = session_.macro_uses.find(result.range.begin);
   if (use == session_.macro_uses.end()) return;
@@ -29,8 +30,7 @@ Expr ExpressionBuilder::Unplaced(ExprKind kind, const clang::Expr* expr) {
 
 Expr ExpressionBuilder::Start(ExprKind kind, const clang::Expr* expr) {
   Expr result = Unplaced(kind, expr);
-  result.range = RangeOf(expr);
-  LocateMacro(expr, result);
+  Locate(expr, result);
   return result;
 }
 

@@ -23,8 +23,8 @@ class ExpressionBuilder : private NodeConverter {
   ExprId String(const clang::StringLiteral* expr, TypeId type);
   /// The operand converted, as the same text.
   ExprId InType(ExprId operand, TypeId type);
-  /// Which macro wrote the expression, and whether it wrote nothing else.
-  void LocateMacro(const clang::Expr* expr, Expr& result) const;
+  /// Where the expression is, which macro wrote it, and whether that wrote nothing else.
+  void Locate(const clang::Expr* expr, Expr& result) const;
 
  private:
   TypeConverter& types_;

@@ -54,8 +54,7 @@ ExprId ExpressionConverter::Parenthesised(const clang::ParenExpr* expr) {
   const ExprId id = Operand(expr->getSubExpr());
   Expr& inner = unit_.expressions[id];
   inner.parenthesized = true;
-  inner.range = RangeOf(expr);
-  builder_.LocateMacro(expr, inner);
+  builder_.Locate(expr, inner);
   return id;
 }
 

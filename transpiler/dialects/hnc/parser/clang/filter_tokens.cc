@@ -71,6 +71,7 @@ class Filter {
     in_.swap(session_.tokens);
     session_.tokens.reserve(in_.size() + in_.size() / 16);
     while (at_ < in_.size() && !session_.stopped) Next();
+    if (last_.isValid()) session_.output.unit.last_token = session_.places.OfToken(last_);
     Close();
   }
 
@@ -121,6 +122,7 @@ class Filter {
   clang::Preprocessor& preprocessor_;
   std::vector<clang::Token> in_;
   size_t at_ = 0;
+  clang::SourceLocation last_;  // of what the program writes
   size_t levels_ = 0, prefixes_ = 0;
   size_t heads_ = 0;                        // `while (a) if (b) ...` without a brace or a statement's end between
   size_t dimensions_ = 0;                   // `[1][2]...` without anything between
@@ -146,7 +148,7 @@ void Filter::Next() {
                     tok::utf32_char_constant)) {
     return Character();
   }
-  if (token.isNot(tok::eof)) session_.output.unit.last_token = RangeOf(token);
+  if (token.isNot(tok::eof)) last_ = token.getLocation();
   Put(token);
   ++at_;
 }
@@ -186,7 +188,7 @@ bool Filter::CountLevels() {
 void Filter::Identifier() {
   const clang::Token& token = Peek();
   const std::string name = token.getIdentifierInfo()->getName().str();
-  session_.output.unit.last_token = RangeOf(token);
+  last_ = token.getLocation();
   const auto word = Words().find(name);
   if (word != Words().end()) {
     if (Apply(word->second, name)) return;
@@ -371,7 +373,7 @@ void Filter::LongDouble() {
 void Filter::Number() {
   const clang::Token token = Peek();
   const std::string text = Spelling(token);
-  session_.output.unit.last_token = RangeOf(token);
+  last_ = token.getLocation();
   ++at_;
   const auto replace = [&] { Put(MadeLiteral(token, "0", tok::numeric_constant)); };
   const auto report = [&](const diag::Message<diag::Text>& message) {
@@ -432,7 +434,7 @@ void Filter::Number() {
 
 void Filter::Character() {
   const clang::Token token = Peek();
-  session_.output.unit.last_token = RangeOf(token);
+  last_ = token.getLocation();
   ++at_;
   if (token.is(tok::char_constant)) return Put(token);
   session_.findings().Report(RangeOf(token), diag::HncExtension, Spelling(token), kWithoutPrefix);
@@ -441,7 +443,7 @@ void Filter::Character() {
 
 void Filter::String() {
   const clang::Token token = Peek();
-  session_.output.unit.last_token = RangeOf(token);
+  last_ = token.getLocation();
   ++at_;
   if (token.is(tok::string_literal)) return Put(token);
   session_.findings().Report(RangeOf(token), diag::HncExtension, Spelling(token), kWithoutPrefix);

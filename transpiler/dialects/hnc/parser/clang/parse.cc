@@ -135,6 +135,9 @@ void ParseTokens(Session& session) {
     session.parser = nullptr;
     sema.ActOnEndOfTranslationUnit();
   }
+  // About as many expressions as tokens, and growing copies all of them again and again; the tokens are read.
+  session.output.unit.expressions.Reserve(session.tokens.size());
+  session.tokens = {};
   session.findings().SetPhase(Phase::kMeaning);
   Conversion conversion{.session = session};
   Converter(conversion).Run();

@@ -211,6 +211,9 @@ void Preprocess(Session& session) {
   preprocessor.IgnorePragmas();  // the watcher has seen them
   preprocessor.EnterMainSourceFile();
   const Limit limit(session);
+  constexpr size_t kBytesOfToken = 2;  // in most programs fewer come out of the main source
+  const size_t bytes = session.sources().getBufferData(session.sources().getMainFileID()).size();
+  session.tokens.reserve(std::min(bytes / kBytesOfToken, kMostTokens));
   clang::Token token;
   do {
     preprocessor.Lex(token);

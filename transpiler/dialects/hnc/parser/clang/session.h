@@ -33,12 +33,35 @@ class Places {
   bool InProduct(clang::SourceLocation place) const;
 
  private:
-  const SourceText* TextOf(clang::FileID file) const;
-  source::Offset OfSpelled(clang::SourceLocation place, unsigned ahead) const;
+  /// What Clang numbers places by: one entry for each inclusion of a file and each expansion of a macro. Its own search
+  /// begins at the end of all entries each time, while places are asked for in about their order.
+  struct Entry {
+    unsigned begin = 0;                 // the first of its places
+    clang::SourceLocation first, last;  // expansion: tokens of the outermost use, in a file; file: none
+    uint32_t file = kNotAsked;          // file: index into files_
+  };
+  struct File {
+    const SourceText* text = nullptr;  // none: predefined, or made by the preprocessor
+    std::vector<source::Offset> ends;  // by place in the text: of the token there; 0: not asked for
+  };
+  static constexpr uint32_t kNotAsked = UINT32_MAX;
+
+  void AddEntries() const;
+  size_t Search(unsigned number, size_t& last_found) const;
+  /// Index into entries_.
+  size_t EntryOf(clang::SourceLocation place) const;
+  /// The tokens of the outermost use that the place is in, in a file.
+  clang::SourceLocation FirstOf(clang::SourceLocation place) const;
+  clang::SourceLocation LastOf(clang::SourceLocation place) const;
+  /// Of a place in a file.
+  File& FileOf(clang::SourceLocation place, size_t entry) const;
+  source::Offset EndOfToken(clang::SourceLocation place, size_t entry) const;
 
   const ParserInput& input_;
   clang::CompilerInstance& clang_;
-  mutable std::unordered_map<unsigned, const SourceText*> texts_;  // by FileID
+  mutable std::vector<Entry> entries_;  // as Clang has them
+  mutable std::vector<File> files_;
+  mutable size_t last_file_ = 0, last_expansion_ = 0;  // entries that were found last
 };
 
 struct Session {
