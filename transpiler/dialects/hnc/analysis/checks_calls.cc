@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "transpiler/dialects/hnc/analysis/checks.h"
-#include "transpiler/dialects/hnc/syntax/walk.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -22,12 +21,12 @@ class CallGraph {
     states_.resize(unit_.functions.size());
     heights_.resize(unit_.functions.size());
     for (const FunctionId id : unit_.definitions) {
-      ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId part) {
+      for (const ExprId part : context.facts.effects().Of(id)) {
         const Expr& expr = unit_.expressions[part];
         if (expr.kind == ExprKind::kCall && expr.function.valid()) {
           sites_[id.index].push_back({expr.function, expr.range});
         }
-      });
+      }
       std::ranges::stable_sort(sites_[id.index], {}, [](const CallSite& site) { return site.range.begin; });
     }
     // System functions that call others call what the program has in their place.
@@ -136,33 +135,33 @@ std::string_view PartName(uint8_t parts) {
 void CheckRegistrations(const CheckContext& context) {
   const Unit& unit = context.unit;
   for (const FunctionId id : unit.definitions) {
-    ForEachExprIn(unit, unit.functions[id].body, [&](ExprId part) {
+    for (const ExprId part : context.facts.effects().Of(id)) {
       const Expr& expr = unit.expressions[part];
-      if (expr.kind != ExprKind::kCall || !expr.function.valid() || expr.arguments.size() != 3) return;
-      if (unit.functions[expr.function].system != SystemFunction::kSetMstFunc) return;
+      if (expr.kind != ExprKind::kCall || !expr.function.valid() || expr.arguments.size() != 3) continue;
+      if (unit.functions[expr.function].system != SystemFunction::kSetMstFunc) continue;
       const auto poison = std::ranges::any_of(
           expr.arguments, [&](ExprId a) { return !a.valid() || unit.expressions[a].kind == ExprKind::kPoison; });
-      if (poison) return;
+      if (poison) continue;
       const uint8_t others = context.facts.PartsOf(id) & static_cast<uint8_t>(~kPartInit);
       if (others != 0) context.diagnostics.Report(expr.range, diag::HncSetMstFuncPlace, PartName(others));
       const Expr& channel = unit.expressions[expr.arguments[0]];
       const Expr& kind = unit.expressions[expr.arguments[1]];
       if (!channel.constant || channel.constant->integer < 0 || channel.constant->integer > 3) {
         context.diagnostics.Report(expr.range, diag::HncSetMstFunc, "the channel is no constant from 0 to 3");
-        return;
+        continue;
       }
       const bool letter = kind.constant && kind.constant->integer > 0 && kind.constant->integer < 128 &&
                           kHandlerKinds.find(static_cast<char>(kind.constant->integer)) != std::string_view::npos;
       if (!letter) {
         context.diagnostics.Report(expr.range, diag::HncSetMstFunc, "the kind is none of 'M', 'S', 'T', 'B', 'E'");
-        return;
+        continue;
       }
       const auto found = std::ranges::find(context.facts.registrations(), part, &Registration::call);
       if (found == context.facts.registrations().end()) {
         context.diagnostics.Report(expr.range, diag::HncSetMstFunc, "the handler is no name of a function and not 0");
-        return;
+        continue;
       }
-      if (!found->function.valid()) return;
+      if (!found->function.valid()) continue;
       const Function& handler = unit.functions[found->function];
       const bool is_void = unit.types[handler.result].kind == TypeKind::kVoid;
       bool takes_int = handler.parameter_types.size() == 1;
@@ -174,7 +173,7 @@ void CheckRegistrations(const CheckContext& context) {
         context.diagnostics.Report(expr.range, diag::HncSetMstFunc,
                                    "'" + handler.name + "' is not defined as void " + handler.name + "(int)");
       }
-    });
+    }
   }
 }
 

@@ -48,9 +48,11 @@ class ExpressionChecks {
 
   void Run() {
     for (const FunctionId id : unit_.definitions) {
-      ForEachStatement(unit_, unit_.functions[id].body,
-                       [&](StatementId statement) { StatementRules(unit_.statements[statement]); });
-      ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId expr) { ExpressionRules(expr); });
+      ForEachStatement(unit_, unit_.functions[id].body, [&](StatementId statement) { StatementRules(statement); });
+      ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId expr) {
+        if (IsReal(At(expr).type)) NoteReal(At(expr).range);
+        ExpressionRules(expr);
+      });
     }
     for (const Variable& variable : unit_.variables) {
       if (variable.storage != Storage::kGlobal && variable.storage != Storage::kStaticLocal) continue;
@@ -70,11 +72,16 @@ class ExpressionChecks {
     return id;
   }
 
-  void StatementRules(const Statement& statement) {
+  void StatementRules(StatementId id) {
+    const Statement& statement = unit_.statements[id];
+    // What a statement stores at its top comes after all that it reads.
+    const auto order = [&](ExprId expr) {
+      if (context_.facts.effects().HasInnerStores(id)) Order(expr);
+    };
     switch (statement.kind) {
       case StatementKind::kExpression:
         NoEffect(statement.expression);
-        Order(statement.expression);
+        order(statement.expression);
         break;
       case StatementKind::kCompound:
         for (size_t i = 0; i + 1 < statement.body.size(); ++i) {
@@ -88,20 +95,20 @@ class ExpressionChecks {
       case StatementKind::kWhile:
       case StatementKind::kDo:
         AssignmentInstead(statement.expression);
-        Order(statement.expression);
+        order(statement.expression);
         break;
       case StatementKind::kFor:
         AssignmentInstead(statement.expression);
-        for (const ExprId id : {statement.first, statement.expression, statement.step}) Order(id);
+        for (const ExprId expr : {statement.first, statement.expression, statement.step}) order(expr);
         if (statement.first.valid()) NoEffect(statement.first);
         if (statement.step.valid()) NoEffect(statement.step);
         break;
       case StatementKind::kSwitch:
         Cases(statement);
-        Order(statement.expression);
+        order(statement.expression);
         break;
       case StatementKind::kReturn:
-        Order(statement.expression);
+        order(statement.expression);
         break;
       case StatementKind::kDeclaration:
       case StatementKind::kEmpty:
@@ -155,6 +162,7 @@ class ExpressionChecks {
     if (unit_.faulty || !HasType(id) || At(id).kind == ExprKind::kPoison) return;
     const Type& type = unit_.TypeOf(id);
     if (type.kind == TypeKind::kVoid) return;
+    if (IsStore(At(id)) || At(id).kind == ExprKind::kCall) return;
     bool effect = false;
     ForEachExpr(unit_, id, [&](ExprId part) {
       const ExprKind kind = At(part).kind;
@@ -304,7 +312,7 @@ class ExpressionChecks {
     const Type& from = unit_.TypeOf(expr.a);
     const Type& to = unit_.types[expr.type];
     if (!IsInteger(from) || !IsInteger(to) || to.bits >= from.bits) return;
-    const std::string text(context_.sources.Text(expr.range));
+    const std::string_view text = context_.sources.Text(expr.range);
     if (const std::optional<Constant>& constant = At(expr.a).constant) {
       const Bounds fits{-(int64_t{1} << (to.bits - 1)), (int64_t{1} << to.bits) - 1};
       if (!fits.Holds(constant->integer)) context_.diagnostics.Report(expr.range, diag::HncLosesDigits, text);
@@ -491,25 +499,20 @@ class ExpressionChecks {
 
   /// W23, once in a program.
   void FloatingPoint() {
-    source::Range first;
-    const auto note = [&](source::Range range) {
-      if (range.begin != 0 && (first.begin == 0 || range.begin < first.begin)) first = range;
-    };
-    const auto is_real = [this](TypeId type) { return type.valid() && unit_.types[type].kind == TypeKind::kReal; };
-    for (const FunctionId id : unit_.definitions) {
-      ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId expr) {
-        if (is_real(At(expr).type)) note(At(expr).range);
-      });
-    }
     for (const Variable& variable : unit_.variables) {
-      if (variable.storage != Storage::kSystem && is_real(variable.type)) note(variable.range);
+      if (variable.storage != Storage::kSystem && IsReal(variable.type)) NoteReal(variable.range);
     }
-    if (first.begin != 0) context_.diagnostics.Report(first, diag::HncFloatingPoint);
+    if (first_real_.begin != 0) context_.diagnostics.Report(first_real_, diag::HncFloatingPoint);
+  }
+  bool IsReal(TypeId type) const { return type.valid() && unit_.types[type].kind == TypeKind::kReal; }
+  void NoteReal(source::Range range) {
+    if (range.begin != 0 && (first_real_.begin == 0 || range.begin < first_real_.begin)) first_real_ = range;
   }
 
   const CheckContext& context_;
   const Unit& unit_;
   bool reported_order_ = false;
+  source::Range first_real_;  // in the order of the source
 };
 
 }  // namespace

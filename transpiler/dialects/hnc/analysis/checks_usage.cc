@@ -2,6 +2,7 @@
 // names (specification 10.3).
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <tuple>
@@ -9,7 +10,6 @@
 #include "transpiler/dialects/hnc/analysis/checks.h"
 #include "transpiler/dialects/hnc/analysis/stores.h"
 #include "transpiler/dialects/hnc/machine/machine.h"
-#include "transpiler/dialects/hnc/syntax/walk.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -32,13 +32,13 @@ Usage FindUsage(const CheckContext& context) {
       if (child.valid()) parent[child.index] = i;
     }
   }
-  std::set<uint32_t> statements;  // expressions whose value nobody takes
+  std::vector<bool> is_statement(unit.expressions.size());  // whose value nobody takes
   for (const Statement& statement : unit.statements) {
     if (statement.kind == StatementKind::kExpression && statement.expression.valid()) {
-      statements.insert(statement.expression.index);
+      is_statement[statement.expression.index] = true;
     }
-    if (statement.step.valid()) statements.insert(statement.step.index);
-    if (statement.first.valid()) statements.insert(statement.first.index);
+    if (statement.step.valid()) is_statement[statement.step.index] = true;
+    if (statement.first.valid()) is_statement[statement.first.index] = true;
   }
   for (uint32_t i = 0; i < unit.expressions.size(); ++i) {
     const Expr& expr = unit.expressions[ExprId(i)];
@@ -60,8 +60,8 @@ Usage FindUsage(const CheckContext& context) {
     const Expr& user = unit.expressions[ExprId(up)];
     if (IsStore(user) && user.a.index == at) {
       usage.written[variable] = true;
-      if (user.kind != ExprKind::kAssign && !statements.contains(up)) usage.read[variable] = true;
-      if (user.kind == ExprKind::kAssign && !statements.contains(up) && parent[up] != ExprId::kNone) {
+      if (user.kind != ExprKind::kAssign && !is_statement[up]) usage.read[variable] = true;
+      if (user.kind == ExprKind::kAssign && !is_statement[up] && parent[up] != ExprId::kNone) {
         usage.read[variable] = true;
       }
       continue;
@@ -110,10 +110,7 @@ std::string TextOf(const CheckContext& context, ExprId id) {
 /// W5 across the parts, W6.
 void WarnOfStores(const CheckContext& context) {
   const Unit& unit = context.unit;
-  struct First {
-    uint8_t parts = 0;
-  };
-  std::map<std::tuple<uint32_t, int64_t, uint32_t>, First> bits;  // object, byte, bit
+  std::map<std::pair<uint32_t, int64_t>, std::array<uint8_t, 8>> bytes;  // object, byte: parts by bit
   struct Store {
     ExprId expr;
     uint8_t parts;
@@ -122,17 +119,17 @@ void WarnOfStores(const CheckContext& context) {
   std::vector<Store> stores;
   for (const FunctionId id : unit.definitions) {
     const uint8_t parts = context.facts.PartsOf(id);
-    ForEachExprIn(unit, unit.functions[id].body, [&](ExprId part) {
+    for (const ExprId part : context.facts.effects().Of(id)) {
       const Expr& expr = unit.expressions[part];
-      if (!IsStore(expr) || !unit.expressions[expr.a].type.valid()) return;
+      if (!IsStore(expr) || !unit.expressions[expr.a].type.valid()) continue;
       const ObjectSet objects = context.facts.ObjectsOf(expr.a);
       for (const Area area : {Area::kX, Area::kF, Area::kP}) {
         if (objects.objects.size() != 1 || !objects.Has(context.objects.OfArea(area))) continue;
         context.diagnostics.Report(expr.range, diag::HncInputWritten, TextOf(context, expr.a));
       }
-      if ((parts & (kPartFast | kPartSlow)) == 0) return;
+      if ((parts & (kPartFast | kPartSlow)) == 0) continue;
       const std::optional<ChangedBits> changed = ChangedBy(unit, context.facts, expr);
-      if (!changed) return;
+      if (!changed) continue;
       const Object& object = context.objects[changed->object];
       const bool output =
           context.objects.IsArea(changed->object, Area::kY) || context.objects.IsArea(changed->object, Area::kG);
@@ -142,17 +139,20 @@ void WarnOfStores(const CheckContext& context) {
         shared = storage == Storage::kGlobal || storage == Storage::kStaticLocal;
       }
       if (shared) stores.push_back({part, parts, *changed});
-    });
+    }
   }
   std::ranges::stable_sort(stores, {}, [&](const Store& store) { return unit.expressions[store.expr].range.begin; });
   std::set<std::tuple<uint32_t, int64_t>> reported;
   for (const Store& store : stores) {
+    std::array<uint8_t, 8>* byte = nullptr;
     for (uint32_t bit = 0; bit < 8 * store.changed.size; ++bit) {
+      if (bit % 8 == 0) byte = nullptr;
       if ((store.changed.mask >> bit & 1) == 0) continue;
-      First& first = bits[{store.changed.object.index, store.changed.offset + bit / 8, bit % 8}];
-      const uint8_t before = first.parts;
-      first.parts = static_cast<uint8_t>(before | (store.parts & (kPartFast | kPartSlow)));
-      const bool now_both = first.parts == (kPartFast | kPartSlow) && before != first.parts;
+      if (byte == nullptr) byte = &bytes[{store.changed.object.index, store.changed.offset + bit / 8}];
+      uint8_t& parts = (*byte)[bit % 8];
+      const uint8_t before = parts;
+      parts = static_cast<uint8_t>(before | (store.parts & (kPartFast | kPartSlow)));
+      const bool now_both = parts == (kPartFast | kPartSlow) && before != parts;
       if (!now_both || !reported.insert({store.changed.object.index, store.changed.offset}).second) continue;
       const Expr& expr = unit.expressions[store.expr];
       context.diagnostics.Report(expr.range, diag::HncWrittenInTwoParts, TextOf(context, expr.a));
@@ -211,14 +211,14 @@ void WarnOfHandlers(const CheckContext& context) {
   std::set<std::pair<int64_t, bool>> completed;
   for (const FunctionId id : unit.definitions) {
     if ((context.facts.PartsOf(id) & (kPartFast | kPartSlow)) == 0) continue;
-    ForEachExprIn(unit, unit.functions[id].body, [&](ExprId part) {
+    for (const ExprId part : context.facts.effects().Of(id)) {
       const Expr& expr = unit.expressions[part];
-      if (expr.kind != ExprKind::kAssign || !unit.expressions[expr.b].constant) return;
+      if (expr.kind != ExprKind::kAssign || !unit.expressions[expr.b].constant) continue;
       const int64_t value = unit.expressions[expr.b].constant->integer;
-      if (value != -1 && value != 0xFFFF) return;
+      if (value != -1 && value != 0xFFFF) continue;
       if (const std::optional<ModWord> word = WordOfG(unit, context.objects, context.facts, expr.a))
         completed.insert({word->word, word->computed});
-    });
+    }
   }
   for (const Registration& registration : context.facts.registrations()) {
     if (registration.kind >= 4 || !registration.function.valid()) continue;

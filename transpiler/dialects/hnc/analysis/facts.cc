@@ -7,7 +7,7 @@
 
 namespace plcxx::hnc {
 
-Facts::Facts(const Unit& unit, const Objects& objects) : unit_(unit), objects_(objects) {
+Facts::Facts(const Unit& unit, const Objects& objects) : unit_(unit), objects_(objects), effects_(unit) {
   targets_.resize(unit.variables.size());
   result_targets_.resize(unit.functions.size());
   writes_.resize(unit.functions.size());
@@ -75,11 +75,11 @@ void Facts::FindCallees() {
     std::vector<FunctionId>& callees = callees_[id.index];
     std::unordered_set<uint32_t> known;
     for (const FunctionId callee : callees) known.insert(callee.index);
-    ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId part) {
+    for (const ExprId part : effects_.Of(id)) {
       const Expr& expr = unit_.expressions[part];
-      if (expr.kind != ExprKind::kCall || !expr.function.valid()) return;
+      if (expr.kind != ExprKind::kCall || !expr.function.valid()) continue;
       if (known.insert(expr.function.index).second) callees.push_back(expr.function);
-    });
+    }
   }
   // Of a system function: those that the program has in the place of others (D13).
   const auto calls = [this](uint32_t function, std::initializer_list<std::string_view> names) {
@@ -354,11 +354,11 @@ ObjectSet Facts::WritesOf(const Expr& expr) const {
 void Facts::FindWrites() {
   for (const FunctionId id : unit_.definitions) {
     ObjectSet& writes = writes_[id.index];
-    ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId part) {
+    for (const ExprId part : effects_.Of(id)) {
       const Expr& expr = unit_.expressions[part];
       const bool calls = expr.kind == ExprKind::kCall;
       if (!calls || (expr.function.valid() && unit_.functions[expr.function].system)) writes.Add(WritesOf(expr));
-    });
+    }
   }
   for (bool grown = true; grown;) {
     grown = false;
@@ -391,9 +391,7 @@ bool Facts::Stores::Add(const Stores& other) {
 }
 
 std::optional<Cell> Facts::CellOfStore(const Expr& store) const {
-  const bool stores =
-      store.kind == ExprKind::kAssign || store.kind == ExprKind::kCompoundAssign || store.kind == ExprKind::kIncrement;
-  if (!stores) return std::nullopt;
+  if (!IsStore(store)) return std::nullopt;
   const std::optional<StaticAddress> at = AddressOf(store.a);
   const Type& type = unit_.TypeOf(store.a);
   if (!at || type.kind == TypeKind::kPointer) return std::nullopt;  // what a pointer takes is the lowering's matter
@@ -403,7 +401,7 @@ std::optional<Cell> Facts::CellOfStore(const Expr& store) const {
 void Facts::FindStores() {
   for (const FunctionId id : unit_.definitions) {
     Stores& stores = stores_[id.index];
-    ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId part) {
+    for (const ExprId part : effects_.Of(id)) {
       const Expr& expr = unit_.expressions[part];
       if (const std::optional<Cell> cell = CellOfStore(expr)) {
         stores.Add({.cells = {*cell}, .objects = {}});
@@ -412,7 +410,7 @@ void Facts::FindStores() {
       } else if (expr.function.valid() && unit_.functions[expr.function].system) {
         stores.objects.Add(SystemWrites(expr));
       }
-    });
+    }
   }
   for (bool grown = true; grown;) {
     grown = false;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "transpiler/dialects/hnc/analysis/effects.h"
 #include "transpiler/dialects/hnc/analysis/objects.h"
 #include "transpiler/dialects/hnc/syntax/syntax.h"
 
@@ -29,6 +30,8 @@ inline constexpr std::string_view kHandlerKinds = "MSTBE";
 class Facts {
  public:
   Facts(const Unit& unit, const Objects& objects);
+
+  const Effects& effects() const { return effects_; }
 
   /// Objects that an lvalue may be in; more than its own where it is reached through a pointer.
   ObjectSet ObjectsOf(ExprId lvalue) const;
@@ -78,6 +81,7 @@ class Facts {
 
   const Unit& unit_;
   const Objects& objects_;
+  Effects effects_;
   std::vector<ObjectSet> targets_;         // by VariableId
   std::vector<ObjectSet> result_targets_;  // by FunctionId
   std::vector<ObjectSet> writes_;          // by FunctionId

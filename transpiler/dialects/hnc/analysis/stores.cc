@@ -4,10 +4,6 @@
 
 namespace plcxx::hnc {
 
-bool IsStore(const Expr& expr) {
-  return expr.kind == ExprKind::kAssign || expr.kind == ExprKind::kCompoundAssign || expr.kind == ExprKind::kIncrement;
-}
-
 std::optional<ChangedBits> ChangedBy(const Unit& unit, const Facts& facts, const Expr& store) {
   const std::optional<StaticAddress> at = facts.AddressOf(store.a);
   if (!at) return std::nullopt;

@@ -7,8 +7,6 @@
 
 namespace plcxx::hnc {
 
-bool IsStore(const Expr& expr);
-
 /// Which bits of a cell a store changes; all of them where constants do not tell.
 struct ChangedBits {
   ObjectId object;

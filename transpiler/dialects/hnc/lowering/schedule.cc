@@ -201,15 +201,15 @@ uint32_t Schedule::LongestPeriod(Storage storage) const {
     const ObjectId object = objects_.OfVariable(VariableId(i));
     for (const FunctionId id : unit_.definitions) {
       if (facts_.PartsOf(id) == 0 || !facts_.WritesOf(id).Has(object)) continue;
-      ForEachExprIn(unit_, unit_.functions[id].body, [&](ExprId part) {
+      for (const ExprId part : facts_.effects().Of(id)) {
         const Expr& expr = ExprAt(part);
-        if (!facts_.WritesOf(expr).Has(object)) return;
+        if (!facts_.WritesOf(expr).Has(object)) continue;
         if (expr.kind == ExprKind::kCall && expr.function.valid() && unit_.functions[expr.function].body.valid())
-          return;
+          continue;
         const bool plain = expr.kind == ExprKind::kAssign && facts_.AddressOf(expr.a) == StaticAddress{object, 0};
         if (plain) take(expr.b);
         known = known && plain;
-      });
+      }
     }
   }
   return known ? longest : 0;
