@@ -135,6 +135,7 @@ void Pipeline::Load() {
 void Pipeline::Lower() {
   Show("translating");
   dialects::Request request = compilation_.MakeRequest();
+  request.lists = request_.lists;
   dialects::Lowered lowered = compilation_.dialect->lower(request);
   // More sources than a program of the language has: the command line is wrong, not the program.
   compilation_.wrong_use = std::ranges::any_of(compilation_.diagnostics.all(), [](const diag::Diagnostic& diagnostic) {

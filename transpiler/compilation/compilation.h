@@ -38,6 +38,7 @@ struct CompilationRequest {
   std::vector<std::string> system_include_directories;  // --system-include
   std::vector<dialects::MacroOption> macros;            // -D and -U
   std::string name;                                     // of the program; empty: from the first logic source
+  dialects::Lists lists = dialects::Lists::kAll;
   /// Called before each phase with its name, for a progress line; may be empty.
   std::function<void(std::string_view phase)> progress;
 };

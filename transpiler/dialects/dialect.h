@@ -40,6 +40,9 @@ struct MacroOption {
   std::optional<std::string> text;  // none: -U
 };
 
+/// Whether the lists of a report are made (SourceSummary::tables), which nobody reads while a program is being typed.
+enum class Lists : uint8_t { kNone, kAll };
+
 struct Request {
   source::SourceManager* sources = nullptr;
   std::vector<source::FileId> files;           // the program, in the user's order
@@ -51,6 +54,7 @@ struct Request {
   std::vector<std::string> system_include_directories;  // --system-include
   std::vector<MacroOption> macros;                      // -D and -U in their order
   ir::Facts facts = ir::Facts::kTrusted;                // whether what decisions rest on becomes assertions
+  Lists lists = Lists::kAll;
 };
 
 /// What the program uses of what the control has.

@@ -76,6 +76,7 @@ int RunCheck(const CheckSettings& settings) {
   const CommonOptions& options = settings.common;
   std::optional<compilation::CompilationRequest> request = MakeRequest(options);
   if (!request) return kWrongUse;
+  request->lists = dialects::Lists::kNone;
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   const compilation::Stage until = settings.preemptive ? compilation::Stage::kOptimized : compilation::Stage::kChecked;

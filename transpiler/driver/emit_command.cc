@@ -127,6 +127,7 @@ int RunEmit(const EmitSettings& asked) {
   if (settings.single_file) settings.output.one_file = OneFile::kYes;
   std::optional<compilation::CompilationRequest> request = MakeNamedRequest(settings.common, settings.output);
   if (!request) return kWrongUse;
+  request->lists = dialects::Lists::kNone;
 
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };

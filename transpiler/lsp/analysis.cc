@@ -53,9 +53,10 @@ source::UnsavedBytes UnsavedOf(const compilation::CompilationRequest& request, c
   return bytes;
 }
 
-compilation::Compilation CompileWith(const compilation::CompilationRequest& request, const project::Baseline& baseline,
+compilation::Compilation CompileWith(compilation::CompilationRequest request, const project::Baseline& baseline,
                                      const source::UnsavedBytes& unsaved) {
   const source::UnsavedScope scope(unsaved);
+  request.lists = dialects::Lists::kNone;
   if (baseline.accepted.empty()) return compilation::Compile(request, compilation::Stage::kChecked);
   project::Accepted accepted;
   return project::CompileAccepting(request, compilation::Stage::kChecked, baseline, request.base_directory, accepted);

@@ -29,7 +29,7 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   const Objects objects(unit);
   const Facts facts(unit, objects);
   lowered.program = Lower(unit, objects, facts, settings, *request.sources, *request.diagnostics);
-  if (!request.diagnostics->HasErrors()) {
+  if (request.lists == dialects::Lists::kAll && !request.diagnostics->HasErrors()) {
     lowered.summary.tables = SummaryTables(unit, objects, facts, lowered.program, *request.sources);
   }
   request.diagnostics->LimitErrors(kMostErrors);
