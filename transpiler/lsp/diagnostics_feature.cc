@@ -20,22 +20,30 @@ int SeverityOf(diag::Severity severity) {
   return 1;
 }
 
-Json ToJson(const Analysis& analysis, const diag::Diagnostic& diagnostic) {
+std::string Written(Position position) {
+  return R"({"character":)" + std::to_string(position.character) + R"(,"line":)" + std::to_string(position.line) + "}";
+}
+
+std::string Written(const FileRange& range) {
+  return R"({"end":)" + Written(range.end) + R"(,"start":)" + Written(range.begin) + "}";
+}
+
+/// Text at once: a program may have thousands, and trees of all of them would cost a fourth of what a key may.
+std::string Written(const Analysis& analysis, const diag::Diagnostic& diagnostic, const FileRange& at) {
   std::string text = diagnostic.text;
   if (!diagnostic.remedy.empty()) text += "\nhelp: " + diagnostic.remedy;
-  Json json = {{"range", ToJson(analysis.Locate(diagnostic.range))},
-               {"severity", SeverityOf(diagnostic.severity)},
-               {"code", diagnostic.row->code},
-               {"source", "plcxx"},
-               {"message", text}};
+  std::string notes;
   for (const diag::Note& note : diagnostic.notes) {
     if (!diag::HasPlace(note.range)) continue;
-    const FileRange at = analysis.Locate(note.range);
-    json["relatedInformation"].push_back(
-        {{"location", {{"uri", UriOfPath(analysis.IdentityOf(at.file))}, {"range", ToJson(at)}}},
-         {"message", note.text}});
+    const FileRange place = analysis.Locate(note.range);
+    notes += notes.empty() ? R"("relatedInformation":[)" : ",";
+    notes += R"({"location":{"range":)" + Written(place) + R"(,"uri":)" +
+             rpc::Quoted(UriOfPath(analysis.IdentityOf(place.file))) + R"(},"message":)" + rpc::Quoted(note.text) + "}";
   }
-  return json;
+  if (!notes.empty()) notes += "],";
+  return R"({"code":)" + rpc::Quoted(diagnostic.row->code) + R"(,"message":)" + rpc::Quoted(text) + R"(,"range":)" +
+         Written(at) + "," + notes + R"("severity":)" + std::to_string(SeverityOf(diagnostic.severity)) +
+         R"(,"source":"plcxx"})";
 }
 
 bool Touches(source::Range a, source::Range b) { return a.begin <= b.end && b.begin <= a.end; }
@@ -47,7 +55,7 @@ FileDiagnostics DiagnosticsByFile(const Analysis& analysis) {
   for (const diag::Diagnostic& diagnostic : analysis.compilation().diagnostics.all()) {
     if (analysis.sources().size() == 0) break;
     const FileRange at = analysis.Locate(diagnostic.range);
-    by_file[analysis.IdentityOf(at.file)].push_back(rpc::Written(ToJson(analysis, diagnostic)));
+    by_file[analysis.IdentityOf(at.file)].push_back(Written(analysis, diagnostic, at));
   }
   return by_file;
 }
@@ -74,6 +82,7 @@ Json CodeActions(const FeatureContext& context, const Json& params) {
   for (const diag::Diagnostic& diagnostic : context.analysis.compilation().diagnostics.all()) {
     if (diagnostic.fixits.empty() || !Touches(diagnostic.range, asked)) continue;
     if (context.analysis.sources().FileAt(diagnostic.range.begin) != context.file) continue;
+    const FileRange diagnosed = context.analysis.Locate(diagnostic.range);
     std::string title;
     Json changes = Json::object();
     for (const diag::FixIt& fixit : diagnostic.fixits) {
@@ -85,7 +94,7 @@ Json CodeActions(const FeatureContext& context, const Json& params) {
     actions.push_back({{"title", title},
                        {"kind", "quickfix"},
                        {"isPreferred", true},
-                       {"diagnostics", {ToJson(context.analysis, diagnostic)}},
+                       {"diagnostics", {Json::parse(Written(context.analysis, diagnostic, diagnosed))}},
                        {"edit", {{"changes", changes}}}});
   }
   AddWhyActions(context, params, actions);

@@ -1,5 +1,6 @@
 #include "transpiler/rpc/json_rpc.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace plcxx::rpc {
@@ -98,6 +99,17 @@ void Server::SetCancel(std::string method, std::string key) {
 std::string Written(const Json& value) {
   // A text that is no UTF-8 (a name of a file) must not cost the answer.
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string Quoted(std::string_view text) {
+  const auto stands_for_itself = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
+  if (!std::ranges::all_of(text, stands_for_itself)) return Written(text);
+  std::string quoted;
+  quoted.reserve(text.size() + 2);
+  quoted += '"';
+  quoted += text;
+  quoted += '"';
+  return quoted;
 }
 
 void Server::Send(const Json& message) { send_(Written(message)); }

@@ -46,6 +46,8 @@ const Json& ArrayOf(const Json& object, const char* key);
 /// None: there is no such member, or it is null; a wrong type is an error.
 /// As it is sent.
 std::string Written(const Json& value);
+/// A text as it is sent, without making a value of it.
+std::string Quoted(std::string_view text);
 
 std::optional<std::string> OptionalText(const Json& object, const char* key);
 std::optional<int64_t> OptionalNumber(const Json& object, const char* key);
