@@ -12,6 +12,40 @@ from client import Client, uri_of
 from programs import FOLDERS, Sample, as_check_says, as_client_sees
 
 EDITS = 200  # of each language
+TOGGLES = 60  # of a header, a macro, a type, a function in C
+
+HEADER = """#define SIZE 8
+#define MASK 7
+#define LIMIT 100
+#define x(g,b) (X[g]&(1<<(b)))
+typedef int INT;
+typedef struct { INT low; INT high; } BOUNDS;
+INT limited(INT v, INT most);
+"""
+MAIN = """#include "plc.h"
+#include "types.h"
+unsigned total;
+INT table[SIZE];
+BOUNDS bounds = { 0, LIMIT };
+INT limited(INT v, INT most) { return v > most ? most : v < bounds.low ? bounds.low : v; }
+void count(void)
+{
+    INT i;
+    for (i = 0; i < SIZE; i++) table[i] = limited(table[i] + 1, bounds.high);
+    if (x(1,2)) total++; else R[0] = table[total & MASK];
+}
+void init() { plc1_time = 16; plc2_time = 32; }
+void plc1() { count(); }
+void plc2() { bounds.high = LIMIT; }
+"""
+# Of the header, then of the source: what may be written instead. Each is somewhere else in the text.
+CHANGES = [("types.h", "SIZE 8", "SIZE 4"), ("types.h", "MASK 7", "MASK 15"), ("types.h", "LIMIT 100", "LIMIT 70000"),
+           ("types.h", "(1<<(b))", "1<<b"), ("types.h", "typedef int INT", "typedef unsigned char INT"),
+           ("types.h", "INT high;", "float high;"), ("types.h", "INT most);", "INT most, INT step);"),
+           ("main.cld", "unsigned total;", "static long total;"), ("main.cld", "INT table[SIZE];", "INT table[2];"),
+           ("main.cld", "v > most ?", "v = most ?"), ("main.cld", "INT i;", "INT i, j;"), ("main.cld", "i < SIZE", "i <= SIZE"),
+           ("main.cld", "total++;", "total == 1;"), ("main.cld", "{ count(); }", "{ }"),
+           ("main.cld", "plc1_time = 16;", "count();"), ("main.cld", "void plc2() {", "void plc2() { X[1] = 0;")]
 
 
 def found_by_client(client, sample):
@@ -95,6 +129,56 @@ def edited(plcxx, root, dialect, directory, rng):
     count = sum(len(of_file) for of_file in found.values())
     print(f"{dialect}: {EDITS} edits, {count} diagnostics in the end")
     return count
+
+
+def toggled(plcxx, directory, rng):
+    """What one place of a C program says is found at others: after each change the same as in a fresh server."""
+    folder = pathlib.Path(directory).resolve()
+    folder.mkdir()
+    texts = {"types.h": HEADER, "main.cld": MAIN}
+    for name, text in texts.items():
+        (folder / name).write_text(text)
+    options = {"programs": [{"sources": ["main.cld"], "dialect": "hnc", "base": str(folder)}]}
+
+    def found(client):
+        return {uri: sorted(as_client_sees(one) for one in rows) for uri, rows in client.diagnostics.items() if rows}
+
+    def opened():
+        client = Client(plcxx, options, encodings=("utf-32",))
+        for name in texts:
+            client.open(folder / name, texts[name])
+        for name in texts:
+            client.wait_for(folder / name, 1)
+        return client
+
+    client = opened()
+    assert not found(client), found(client)
+    seen, versions, done = set(), dict.fromkeys(texts, 1), [False] * len(CHANGES)
+    for number in range(TOGGLES):
+        which = number if number < len(CHANGES) else rng.randrange(len(CHANGES))
+        if number < len(CHANGES) and number > 0:  # each by itself first, then all together
+            toggle_back = number - 1
+            name, old, new = CHANGES[toggle_back]
+            texts[name], done[toggle_back] = texts[name].replace(new, old, 1), False
+            versions[name] += 1
+            client.change(folder / name, [{"text": texts[name]}], versions[name])
+        name, old, new = CHANGES[which]
+        if done[which]:
+            old, new = new, old
+        assert old in texts[name], (name, old)
+        at = texts[name].index(old)
+        change = {"range": {"start": position(texts[name], at), "end": position(texts[name], at + len(old))}, "text": new}
+        texts[name], done[which] = texts[name].replace(old, new, 1), not done[which]
+        versions[name] += 1
+        client.change(folder / name, [change], versions[name])
+        client.wait_for(folder / name, versions[name])
+        fresh = opened()
+        assert found(client) == found(fresh), f"{CHANGES[which]}: not as in a fresh server:\n{found(client)}\n{found(fresh)}"
+        seen |= {row[4] for rows in found(client).values() for row in rows}
+        assert fresh.shut_down() == 0
+    assert client.shut_down() == 0
+    print(f"hnc: {TOGGLES} changes of header and source, {len(seen)} kinds of diagnostics")
+    assert len(seen) >= 7, seen
 
 
 def whole(plcxx, root, dialect, directory):
@@ -194,6 +278,7 @@ def main():
     rng = random.Random(20)
     with tempfile.TemporaryDirectory(prefix="plcxx-test-") as directory:
         broken_clients(plcxx, directory)
+        toggled(plcxx, f"{directory}/toggled", random.Random(5))
         fixits(plcxx, directory)
         found = 0
         for dialect in FOLDERS:
