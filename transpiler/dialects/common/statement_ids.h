@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <unordered_set>
+#include <vector>
 
 #include "transpiler/support/fnv1a.h"
 
@@ -21,8 +20,19 @@ class StatementIds {
   uint32_t Next(TextHash text);
 
  private:
-  std::unordered_map<uint32_t, uint32_t> equal_texts_;
-  std::unordered_set<uint32_t> used_;
+  struct Hash {
+    uint32_t value = 0;
+    uint32_t texts = 0;    // that have it
+    bool is_used = false;  // as a number
+  };
+  /// The one with this value, until the next call; a new one is to be counted or used.
+  Hash& At(uint32_t value);
+  void Grow();
+
+  // By value, with the next free place where that is taken: each statement comes by here, and a table of nodes took as
+  // long as its lowering.
+  std::vector<Hash> hashes_;
+  size_t count_ = 0;  // of those in it
 };
 
 /// "START_edge" and a statement's number -> "START_edge_4f2a".
