@@ -108,9 +108,7 @@ std::string CellPlaces::NameOf(ObjectId id, uint32_t offset, ir::Type type) cons
 }
 
 ir::PlaceId CellPlaces::At(ObjectId object, uint32_t offset, ir::Type type) {
-  const std::string key =
-      std::to_string(object.index) + "." + std::to_string(offset) + "." + std::to_string(static_cast<int>(type));
-  ir::PlaceId& place = places_[key];
+  ir::PlaceId& place = places_[{object.index, offset, kNoStride, type}];
   if (place.valid()) return place;
   const std::string own = NameOf(object, offset, type);
   const auto named = cell_names_.find({object.index, offset});
@@ -123,9 +121,7 @@ ir::PlaceId CellPlaces::At(ObjectId object, uint32_t offset, ir::Type type) {
 }
 
 ir::PlaceId CellPlaces::IndexedAt(ObjectId object, uint32_t offset, uint32_t stride, ir::Type type) {
-  const std::string key = std::to_string(object.index) + "." + std::to_string(offset) + "x" + std::to_string(stride) +
-                          "." + std::to_string(static_cast<int>(type));
-  ir::PlaceId& place = places_[key];
+  ir::PlaceId& place = places_[{object.index, offset, stride, type}];
   if (place.valid()) return place;
   const Object& target = objects_[object];
   std::string name = AsName(target.name);

@@ -1,9 +1,9 @@
 // Places of objects in memory, each made once, named as the source names them.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "transpiler/dialects/hnc/lowering/context.h"
@@ -28,7 +28,13 @@ class CellPlaces : Context {
   std::string AddressOf(ObjectId id, uint32_t offset, ir::Type type) const;
 
   Memory& memory_;
-  std::unordered_map<std::string, ir::PlaceId> places_;              // by object, offset, type, stride
+  static constexpr uint32_t kNoStride = UINT32_MAX;
+  struct Key {
+    uint32_t object = 0, offset = 0, stride = kNoStride;  // stride: of indexed ones
+    ir::Type type{};
+    auto operator<=>(const Key&) const = default;
+  };
+  std::map<Key, ir::PlaceId> places_;
   std::map<std::pair<uint32_t, uint32_t>, std::string> cell_names_;  // by area object and byte: a macro's name
 };
 

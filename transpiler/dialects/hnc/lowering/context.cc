@@ -81,7 +81,6 @@ bool Context::HasEffects(ExprId id) const {
 }
 
 bool Context::IsSimple(ExprId id) const {
-  if (HasEffects(id)) return false;
   bool simple = true;
   ForEachExpr(unit_, id, [&](ExprId part) {
     const Expr& expr = ExprAt(part);
@@ -95,6 +94,12 @@ bool Context::IsSimple(ExprId id) const {
           const Expr& divisor = ExprAt(expr.b);
           if (!divisor.constant || divisor.constant->integer == 0 || divisor.constant->integer == -1) simple = false;
         }
+        break;
+      case ExprKind::kAssign:
+      case ExprKind::kCompoundAssign:
+      case ExprKind::kIncrement:
+      case ExprKind::kCall:
+        simple = false;
         break;
       case ExprKind::kPoison:
       case ExprKind::kConstant:
@@ -111,12 +116,8 @@ bool Context::IsSimple(ExprId id) const {
       case ExprKind::kOr:
       case ExprKind::kConditional:
       case ExprKind::kComma:
-      case ExprKind::kAssign:
-      case ExprKind::kCompoundAssign:
-      case ExprKind::kIncrement:
       case ExprKind::kAddress:
       case ExprKind::kMember:
-      case ExprKind::kCall:
         break;
     }
   });

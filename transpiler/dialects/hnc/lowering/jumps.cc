@@ -2,7 +2,6 @@
 #include "transpiler/support/check.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace plcxx::hnc {
@@ -143,33 +142,46 @@ bool Jumps::Continues(StatementId id, StatementId outer) const {
 
 void Jumps::Find(const Function& function) {
   // Anew, not cleared: to clear a map takes as long as the largest function did.
-  parents_ = {};
-  order_ = {};
   statements_ = {};
   jumps_to_ = {};
   flat_ = {};
   ForEachStatement(unit_, function.body, [&](StatementId id) {
     const Statement& statement = unit_.statements[id];
-    order_.emplace(id.index, static_cast<uint32_t>(order_.size()));
     statements_.push_back(id);
     if (statement.kind == StatementKind::kGoto && statement.label.valid()) {
       jumps_to_[unit_.labels[statement.label].statement.index].push_back(id);
     }
-    for (const StatementId child : statement.body) parents_[child.index] = id;
-    if (statement.then.valid()) parents_[statement.then.index] = id;
-    if (statement.otherwise.valid()) parents_[statement.otherwise.index] = id;
   });
-  last_ = {};
-  for (uint32_t i = 0; i < statements_.size(); ++i) last_.emplace(statements_[i].index, i);
-  for (size_t i = statements_.size(); i-- > 0;) {
-    const StatementId parent = ParentOf(statements_[i]);
-    if (!parent.valid()) continue;
-    uint32_t& last = last_.at(parent.index);
-    last = std::max(last, last_.at(statements_[i].index));
-  }
+  FindNodes();
   live_gotos_ = FindLiveGotos(unit_, function.body);
   FindEntries(function);
   CheckJumps(function);
+}
+
+void Jumps::FindNodes() {
+  nodes_.clear();
+  if (statements_.empty()) return;
+  const auto [least, most] = std::ranges::minmax(statements_);
+  first_node_ = least.index;
+  nodes_.resize(size_t{most.index} - least.index + 1);
+  const auto at = [this](StatementId id) -> Node& { return nodes_[id.index - first_node_]; };
+  for (uint32_t i = 0; i < statements_.size(); ++i) {
+    const StatementId id = statements_[i];
+    at(id).order = at(id).last = i;
+    const Statement& statement = unit_.statements[id];
+    for (const StatementId child : statement.body) at(child).parent = id;
+    if (statement.then.valid()) at(statement.then).parent = id;
+    if (statement.otherwise.valid()) at(statement.otherwise).parent = id;
+  }
+  for (size_t i = statements_.size(); i-- > 0;) {
+    const Node& node = at(statements_[i]);
+    if (node.parent.valid()) at(node.parent).last = std::max(at(node.parent).last, node.last);
+  }
+}
+
+const Jumps::Node* Jumps::NodeOf(StatementId id) const {
+  const size_t at = size_t{id.index} - first_node_;
+  return at < nodes_.size() && nodes_[at].order != kNowhere ? &nodes_[at] : nullptr;
 }
 
 /// What is lowered although control does not come to its beginning: a live goto or a switch outside of it leads to a
@@ -206,8 +218,8 @@ bool Jumps::AreInOneArm(StatementId list, StatementId a, StatementId jump) const
 }
 
 StatementId Jumps::ParentOf(StatementId id) const {
-  const auto parent = parents_.find(id.index);
-  return parent == parents_.end() ? StatementId() : parent->second;
+  const Node* node = NodeOf(id);
+  return node == nullptr ? StatementId() : node->parent;
 }
 
 /// Gotos into loops and switches, cases inside loops; what a jump leads into becomes flat.
@@ -260,13 +272,13 @@ void Jumps::CheckJumps(const Function& function) {
 }
 
 bool Jumps::Holds(StatementId outer, StatementId inner) const {
-  const auto last = last_.find(outer.index);
-  return last != last_.end() && OrderOf(outer) <= OrderOf(inner) && OrderOf(inner) <= last->second;
+  const Node* node = NodeOf(outer);
+  return node != nullptr && node->order <= OrderOf(inner) && OrderOf(inner) <= node->last;
 }
 
 uint32_t Jumps::OrderOf(StatementId id) const {
-  const auto found = order_.find(id.index);
-  return found == order_.end() ? std::numeric_limits<uint32_t>::max() : found->second;
+  const Node* node = NodeOf(id);
+  return node == nullptr ? kNowhere : node->order;
 }
 
 bool Jumps::IsPartOf(StatementId id, const std::vector<StatementId>& statements) const {

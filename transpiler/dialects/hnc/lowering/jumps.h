@@ -4,6 +4,7 @@
 // reported.
 #pragma once
 
+#include <cstdint>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -58,20 +59,28 @@ class Jumps : Context {
   bool IsEntered(StatementId id) const { return id.valid() && entered_.contains(id.index); }
 
  private:
+  static constexpr uint32_t kNowhere = UINT32_MAX;
+  struct Node {
+    StatementId parent;
+    uint32_t order = kNowhere, last = 0;  // of the statement, and of the last one in it
+  };
+
   bool Continues(StatementId id, StatementId outer) const;
+  void FindNodes();
+  /// Null: the statement is not in the function.
+  const Node* NodeOf(StatementId id) const;
   void FindEntries(const Function& function);
   bool AreInOneArm(StatementId list, StatementId a, StatementId jump) const;
   /// Whether `inner` is `outer` or lies in it.
   bool Holds(StatementId outer, StatementId inner) const;
   void CheckJumps(const Function& function);
 
-  std::unordered_set<uint32_t> flat_;                  // by StatementId
-  std::unordered_set<uint32_t> live_gotos_;            // by StatementId
-  std::unordered_set<uint32_t> entered_;               // by StatementId: a jump from outside leads into it
-  std::unordered_map<uint32_t, StatementId> parents_;  // by StatementId
-  std::unordered_map<uint32_t, uint32_t> order_;       // by StatementId
-  std::unordered_map<uint32_t, uint32_t> last_;        // by StatementId: the order of the last statement in it
-  std::vector<StatementId> statements_;                // of the function, by their order
+  std::unordered_set<uint32_t> flat_;        // by StatementId
+  std::unordered_set<uint32_t> live_gotos_;  // by StatementId
+  std::unordered_set<uint32_t> entered_;     // by StatementId: a jump from outside leads into it
+  std::vector<Node> nodes_;                  // by StatementId, from that of the first on: a function has them in a row
+  uint32_t first_node_ = 0;
+  std::vector<StatementId> statements_;                              // of the function, by their order
   std::unordered_map<uint32_t, std::vector<StatementId>> jumps_to_;  // gotos by StatementId of their label
 };
 
