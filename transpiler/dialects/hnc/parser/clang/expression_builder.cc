@@ -6,13 +6,21 @@
 
 namespace plcxx::hnc {
 
-void ExpressionBuilder::Locate(const clang::Expr* expr, Expr& result) const {
+MacroUseId ExpressionBuilder::UseAt(source::Offset begin) {
+  if (begin == asked_) return use_;
+  const auto use = session_.macro_uses.find(begin);
+  asked_ = begin;
+  use_ = use == session_.macro_uses.end() ? MacroUseId() : use->second;
+  return use_;
+}
+
+void ExpressionBuilder::Locate(const clang::Expr* expr, Expr& result) {
   const clang::SourceLocation begin = now_.extents.BeginOf(expr), end = now_.extents.EndOf(expr);
   result.range = session_.places.Of(begin, end);
   if (!begin.isMacroID()) return;
-  const auto use = session_.macro_uses.find(result.range.begin);
-  if (use == session_.macro_uses.end()) return;
-  result.macro = use->second;
+  const MacroUseId use = UseAt(result.range.begin);
+  if (!use.valid()) return;
+  result.macro = use;
   clang::SourceLocation first, last;
   const clang::LangOptions& language = context_.getLangOpts();
   const clang::SourceManager& sources = context_.getSourceManager();

@@ -2,6 +2,7 @@
 // 3.5, 3.6): Borland's words go, `asm cli` becomes a call, what is an extension is reported and replaced by something
 // that costs no second message.
 #include <clang/Lex/Preprocessor.h>
+#include <llvm/ADT/DenseSet.h>
 
 #include <algorithm>
 #include <cctype>
@@ -130,6 +131,7 @@ class Filter {
   size_t parentheses_ = 0;
   bool behind_bracket_ = false;
   unsigned enumerations_ = 0;
+  llvm::DenseSet<const clang::IdentifierInfo*> plain_;       // names that are nothing else
   std::unordered_map<std::string, std::string> long_names_;  // by their significant letters; only asked
 };
 
@@ -187,6 +189,12 @@ bool Filter::CountLevels() {
 
 void Filter::Identifier() {
   const clang::Token& token = Peek();
+  if (token.is(tok::identifier) && plain_.contains(token.getIdentifierInfo())) {
+    last_ = token.getLocation();
+    Put(token);
+    ++at_;
+    return;
+  }
   const std::string name = token.getIdentifierInfo()->getName().str();
   last_ = token.getLocation();
   const auto word = Words().find(name);
@@ -207,7 +215,10 @@ void Filter::Identifier() {
   }
   if (token.is(tok::kw_enum)) return Enumeration();
   if (token.isOneOf(tok::kw_long, tok::kw_double)) return LongDouble();
-  if (token.is(tok::identifier)) CheckLength(name);
+  if (token.is(tok::identifier)) {
+    CheckLength(name);
+    if (name.size() < kSignificantLetters && word == Words().end()) plain_.insert(token.getIdentifierInfo());
+  }
   Put(token);
   ++at_;
 }
@@ -375,6 +386,11 @@ void Filter::Number() {
   const std::string text = Spelling(token);
   last_ = token.getLocation();
   ++at_;
+  constexpr size_t kShort = 5;  // a decimal number of so many digits is in order
+  const auto is_decimal = [](unsigned char c) { return std::isdigit(c) != 0; };
+  if (text.size() <= kShort && std::ranges::all_of(text, is_decimal) && (text.size() == 1 || text[0] != '0')) {
+    return Put(token);
+  }
   const auto replace = [&] { Put(MadeLiteral(token, "0", tok::numeric_constant)); };
   const auto report = [&](const diag::Message<diag::Text>& message) {
     session_.findings().Report(RangeOf(token), message, text);

@@ -17,6 +17,22 @@ unsigned NumberOf(clang::SourceLocation place) {
   return place.getRawEncoding() & ~kInExpansion;
 }
 
+bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// Of the token at the beginning of a text, where it is plain to see; 0: it is not.
+unsigned PlainLength(std::string_view text) {
+  if (text.empty()) return 0;
+  if (std::string_view("()[]{},;").find(text.front()) != std::string_view::npos) return 1;
+  if (!IsLetter(text.front()) && !IsDigit(text.front())) return 0;
+  size_t end = 1;
+  while (end < text.size() && (IsLetter(text[end]) || IsDigit(text[end]))) ++end;
+  // What follows may belong to it: a point or an exponent's sign to a number, a literal to its prefix, a spliced line.
+  constexpr std::string_view kEnds = " \t\n()[]{},;*/<>=!&|^:";
+  const bool ends = end == text.size() || kEnds.find(text[end]) != std::string_view::npos;
+  return ends ? static_cast<unsigned>(end) : 0;
+}
+
 }  // namespace
 
 /// An expansion is within a use whose places were numbered before it.
@@ -93,8 +109,11 @@ source::Offset Places::EndOfToken(clang::SourceLocation place, size_t entry) con
   const unsigned at = NumberOf(place) - entries_[entry].begin;
   source::Offset& end = file.ends[at];
   if (end == 0) {
-    const clang::SourceManager& sources = clang_.getSourceManager();
-    end = file.text->Original(at + clang::Lexer::MeasureTokenLength(place, sources, clang_.getLangOpts()));
+    unsigned length = PlainLength(std::string_view(file.text->text).substr(at));
+    if (length == 0) {
+      length = clang::Lexer::MeasureTokenLength(place, clang_.getSourceManager(), clang_.getLangOpts());
+    }
+    end = file.text->Original(at + length);
   }
   return end;
 }

@@ -211,9 +211,9 @@ void Preprocess(Session& session) {
   preprocessor.IgnorePragmas();  // the watcher has seen them
   preprocessor.EnterMainSourceFile();
   const Limit limit(session);
-  constexpr size_t kBytesOfToken = 2;  // in most programs fewer come out of the main source
+  // As many as bytes where no macro makes more of them; what is not used costs nothing.
   const size_t bytes = session.sources().getBufferData(session.sources().getMainFileID()).size();
-  session.tokens.reserve(std::min(bytes / kBytesOfToken, kMostTokens));
+  session.tokens.reserve(std::min(bytes, kMostTokens));
   clang::Token token;
   do {
     preprocessor.Lex(token);
