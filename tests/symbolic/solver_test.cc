@@ -99,7 +99,9 @@ TEST(Deadline, QuestionsEndWithIt) {
   EXPECT_EQ(wall.LimitFor(100).effort_ms, 100U);
   EXPECT_LE(wall.LimitFor(100'000).clock_ms, 5'000U);
   EXPECT_EQ(processor.LimitFor(100).effort_ms, 100U);
-  EXPECT_LE(processor.LimitFor(100'000).effort_ms, 5'000U);
+  // A step may take longer than it counts.
+  EXPECT_LE(processor.LimitFor(100'000).effort_ms, 2'500U);
+  EXPECT_GT(processor.LimitFor(100'000).effort_ms, 2'000U);
   EXPECT_GT(solver::Deadline(solver::Clock::kWall, ~uint64_t{0}).RestMs(), 1'000'000'000U);
   EXPECT_EQ(solver::Deadline(solver::Clock::kWall, 0).LimitFor(100).clock_ms, 1U);
 }

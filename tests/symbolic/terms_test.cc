@@ -273,6 +273,10 @@ TEST(Terms, PairsOfAllFormsWithAllValues) {
                                       terms.Concat(bit, terms.Extract(x, 0, 3)),
                                       terms.Ite(bit, x, terms.Zext(y, kWidth)),
                                       terms.Ite(bit, terms.Const(3, kWidth), terms.Const(9, kWidth)),
+                                      terms.Ite(terms.Extract(y, 0, 1), x, terms.Const(6, kWidth)),
+                                      terms.Ite(terms.Extract(x, 0, 1), terms.Const(1, kWidth), terms.Zext(y, kWidth)),
+                                      terms.Ite(terms.And(bit, terms.Extract(y, 0, 1)), x, terms.Sext(y, kWidth)),
+                                      terms.Ite(terms.Or(bit, terms.Extract(x, 0, 1)), terms.Sext(y, kWidth), x),
                                       terms.Add(x, terms.Const(3, kWidth)),
                                       terms.Xor(x, terms.Const(5, kWidth)),
                                       terms.Sub(x, terms.Sext(y, kWidth)),
@@ -293,7 +297,15 @@ TEST(Terms, PairsOfAllFormsWithAllValues) {
     terms::TermId result, condition, then, otherwise;
   };
   std::vector<Choice> choices;
-  const std::array conditions = {bit, terms.Not(bit), terms.Eq(x, terms.Zext(y, kWidth)), terms.Extract(y, 0, 1)};
+  const terms::TermId low_x = terms.Extract(x, 0, 1), low_y = terms.Extract(y, 0, 1);
+  const std::array conditions = {bit,
+                                 terms.Not(bit),
+                                 terms.Eq(x, terms.Zext(y, kWidth)),
+                                 low_y,
+                                 terms.And(bit, low_y),
+                                 terms.Or(low_x, low_y),
+                                 terms.And(terms.Not(low_x), bit),
+                                 terms.Or(terms.Not(low_y), terms.And(low_x, bit))};
   for (const terms::TermId a : forms) {
     for (const terms::TermId b : forms) {
       for (const Operation& operation : kOfWidth)
@@ -432,6 +444,40 @@ TEST(Terms, PartsOfMaskedWordsAreParts) {
   EXPECT_EQ(terms.Or(byte, another), terms.Zext(terms.Or(bit, other), 8));
   EXPECT_EQ(terms.Xor(byte, terms.Const(1, 8)), terms.Zext(terms.Not(bit), 8));
   EXPECT_EQ(terms.Ne(terms.And(byte, another), terms.Const(0, 8)), terms.And(bit, other));
+}
+
+/// Branches in branches, as a program writes them, and as a compiler joins them: all at once, each under all that leads
+/// to it, and with what their operations have of constants computed before.
+TEST(Terms, BranchesInBranchesAreOneTerm) {
+  terms::Terms terms;
+  const terms::TermId one = terms.Variable("one", 1), two = terms.Variable("two", 1);
+  const terms::TermId x = terms.Variable("x", 32), y = terms.Variable("y", 32), z = terms.Variable("z", 32);
+  const terms::TermId zero = terms.Const(0, 32), thousand = terms.Const(1000, 32), both = terms.And(one, two);
+  const terms::TermId nested = terms.Ite(one, terms.Ite(two, x, y), z);
+  EXPECT_EQ(terms.Ite(both, x, terms.Ite(one, y, z)), nested);
+  EXPECT_EQ(terms.Ite(both, terms.Ite(one, x, z), terms.Ite(one, y, z)), nested);
+  EXPECT_EQ(terms.Ite(terms.Or(one, two), terms.Ite(one, x, y), z), terms.Ite(one, x, terms.Ite(two, y, z)));
+  EXPECT_EQ(terms.Ite(one, two, both), both);
+  EXPECT_EQ(terms.Ite(one, terms.Ite(both, x, y), z), nested);
+  const terms::TermId chosen = terms.Ite(one, x, zero);
+  EXPECT_EQ(terms.Udiv(chosen, thousand), terms.Ite(one, terms.Udiv(x, thousand), zero));
+  EXPECT_EQ(terms.Srem(chosen, thousand), terms.Ite(one, terms.Srem(x, thousand), zero));
+  EXPECT_EQ(terms.Neg(chosen), terms.Ite(one, terms.Neg(x), zero));
+  EXPECT_EQ(terms.Add(chosen, thousand), terms.Ite(one, terms.Add(x, thousand), thousand));
+}
+
+/// A table of constants stays a table: a long row of choices is not made anew for each operation, nor on the
+/// processor's stack.
+TEST(Terms, LongRowsOfChoicesAreKept) {
+  terms::Terms terms;
+  const terms::TermId index = terms.Variable("index", 32);
+  terms::TermId row = terms.Const(0, 32);
+  for (uint64_t i = 0; i < 100'000; ++i)
+    row = terms.Ite(terms.Eq(index, terms.Const(i, 32)), terms.Const(i * 7 % 1000, 32), row);
+  const uint32_t before = terms.size();
+  const terms::TermId sum = terms.Add(row, terms.Const(1, 32));
+  EXPECT_EQ(terms[sum].kind, terms::TermKind::kAdd);
+  EXPECT_LE(terms.size() - before, 2U);
 }
 
 TEST(Terms, UnknownFunctionsAreFunctions) {

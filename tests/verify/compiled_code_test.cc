@@ -163,6 +163,55 @@ TEST_F(CompiledCodeTest, BranchesJoin) {
         });
 }
 
+/// The compiler lets all four ways meet at once: their values are chosen branch by branch all the same, as the program
+/// chooses them, and not each under all that leads to it.
+TEST_F(CompiledCodeTest, BranchesInBranchesJoinFromInside) {
+  const std::string body = R"(void f(State& m, Host& host) noexcept {
+    uint8_t value = 0;
+    if (m.b[0] & 1) {
+      if (m.b[1] & 1) {
+        tell(host, true);
+        value = m.b[2];
+      } else if (m.b[3] & 1) {
+        tell(host, false);
+        value = m.b[4];
+      } else {
+        tell(host, m.b[5] & 1);
+        value = m.b[6];
+      }
+    }
+    m.b[7] = value;
+  })";
+  const verify::CodeOutcome outcome = Execute(body);
+  ASSERT_EQ(outcome.refusal, "");
+  const auto byte = [&](size_t at) { return outcome.slots[at]; };
+  const auto bit = [&](size_t at) { return terms_.Extract(byte(at), 0, 1); };
+  const terms::TermId inner = terms_.Ite(bit(3), byte(4), byte(6));
+  EXPECT_EQ(byte(7), terms_.Ite(bit(0), terms_.Ite(bit(1), byte(2), inner), terms_.Const(0, 8)));
+  Check(body, [](Bytes& b) -> uint64_t {
+    const bool calls = (b[0] & 1) != 0;
+    b[7] = !calls ? 0 : (b[1] & 1) != 0 ? b[2] : (b[3] & 1) != 0 ? b[4] : b[6];
+    return calls ? 1 : 0;
+  });
+}
+
+/// As many branches in one another as a program of rungs with jumps has.
+TEST_F(CompiledCodeTest, VeryDeepBranchesJoin) {
+  std::string body = "void f(State& m, Host& host) noexcept {\n";
+  for (int i = 0; i < 400; ++i)
+    body += "if (((m.b[" + std::to_string(i % 16) + "] ^ " + std::to_string(i) +
+            ") & 63) == 0) { m.w[1] = " + std::to_string(i % 251) + "; tell(host, true); return; }\n";
+  Check(body + "m.w[1] = 255; }", [](Bytes& b) -> uint64_t {
+    for (size_t i = 0; i < 400; ++i) {
+      if (((b[i % 16] ^ i) & 63) != 0) continue;
+      SetWord(b, 1, static_cast<uint32_t>(i % 251));
+      return 1;
+    }
+    SetWord(b, 1, 255);
+    return 0;
+  });
+}
+
 TEST_F(CompiledCodeTest, SwitchRunsOn) {
   Check(R"(void f(State& m, Host&) noexcept {
     switch (m.b[0] & 7) {

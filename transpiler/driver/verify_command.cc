@@ -436,9 +436,7 @@ void AddVerify(CLI::App& app, Run& run) {
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->group("Limits");
-  command
-      ->add_option("--time", settings->time,
-                   "For each try at one function, in time of the processor: as in 500ms, 60s or 5min")
+  command->add_option("--time", settings->time, "For one function, in time of the processor: as in 500ms, 60s or 5min")
       ->type_name("TIME")
       ->default_str("60s")
       ->group("Limits");

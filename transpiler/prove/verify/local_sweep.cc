@@ -316,8 +316,9 @@ solver::Answer LocalSweep::Ask(terms::TermId condition, uint32_t milliseconds) {
   if (!known.has_tried_values) known.answer = AskValues(condition);
   known.has_tried_values = true;
   if (known.answer == solver::Answer::kUnknown) {
-    known.answer = solver_.Check({&condition, 1}, deadline_.LimitFor(milliseconds));
-    known.milliseconds = milliseconds;
+    const solver::Limit limit = deadline_.LimitFor(milliseconds);
+    known.answer = solver_.Check({&condition, 1}, limit);
+    known.milliseconds = limit.effort_ms;
   }
   return known.answer;
 }

@@ -13,6 +13,7 @@
 #include "transpiler/prove/verify/unit_environment.h"
 #include "transpiler/prove/verify/verified_program.h"
 #include "transpiler/symbolic/execute/execute.h"
+#include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/solver/solver.h"
 #include "transpiler/symbolic/solver/sweep.h"
 
@@ -36,11 +37,14 @@ struct Treatment {
 
 class UnitVerifier {
  public:
-  UnitVerifier(const VerifiedProgram& program, const Unit& unit, const ArgumentCase& given, const Treatment& treatment)
+  /// `deadline` outlives the verifier.
+  UnitVerifier(const VerifiedProgram& program, const Unit& unit, const ArgumentCase& given, const Treatment& treatment,
+               const solver::Deadline& deadline)
       : program_(program),
         unit_(unit),
         given_(given),
         treatment_(treatment),
+        deadline_(deadline),
         routine_(program.ir.routines[unit.part.routine]),
         image_(program.image) {}
 
@@ -89,6 +93,7 @@ class UnitVerifier {
   bool DecideLoops(solver::Solver& solver);
   /// Why the unit is not decided, and of which statement the claim's loop is.
   void SayOfLoop(std::string reason, const LoopClaim& claim);
+  void SayOfRounds();
   void Decide(solver::Solver& solver);
   /// Numbers for which the two differ, evaluated; without values: none were found.
   CodeDifference Show(solver::Solver& solver, const Question& question);
@@ -98,6 +103,7 @@ class UnitVerifier {
   const Unit& unit_;
   const ArgumentCase& given_;
   const Treatment& treatment_;
+  const solver::Deadline& deadline_;
   const ir::Routine& routine_;
   StateImage image_;
   terms::Terms terms_;

@@ -59,11 +59,12 @@ class Verification {
   void Prove(UnitId id);
   /// Of calls that are replaced, also in functions that are followed.
   void Collect(const Unit& unit, Granted& granted) const;
-  Try ProveWith(const Unit& unit, Loops loops, Granted& granted) const;
+  Try ProveWith(const Unit& unit, Loops loops, Granted& granted, const solver::Deadline& deadline) const;
   /// For all constants that it is called with.
-  Try ProveCases(const Unit& unit, Callees callees, Loops loops) const;
-  Try RunInStep(const Unit& unit, const ArgumentCase& given, Callees callees) const;
-  Try RunOnce(const Unit& unit, const ArgumentCase& given, const Treatment& treatment) const;
+  Try ProveCases(const Unit& unit, Callees callees, Loops loops, const solver::Deadline& deadline) const;
+  Try RunInStep(const Unit& unit, const ArgumentCase& given, Callees callees, const solver::Deadline& deadline) const;
+  Try RunOnce(const Unit& unit, const ArgumentCase& given, const Treatment& treatment,
+              const solver::Deadline& deadline) const;
   void Replace(UnitId id, const std::vector<std::string>& parameters, std::set<std::string> open);
 
   VerifiedProgram program_;
@@ -84,8 +85,9 @@ void Verification::Collect(const Unit& unit, Granted& granted) const {
   }
 }
 
-Verification::Try Verification::RunOnce(const Unit& unit, const ArgumentCase& given, const Treatment& treatment) const {
-  UnitVerifier verifier(program_, unit, given, treatment);
+Verification::Try Verification::RunOnce(const Unit& unit, const ArgumentCase& given, const Treatment& treatment,
+                                        const solver::Deadline& deadline) const {
+  UnitVerifier verifier(program_, unit, given, treatment, deadline);
   Try tried;
   tried.proof = verifier.Run();
   tried.gave_up = verifier.gave_up();
@@ -94,19 +96,20 @@ Verification::Try Verification::RunOnce(const Unit& unit, const ArgumentCase& gi
 }
 
 /// What is guessed of loops and is not so is dropped, until all that is claimed of them is so, or too little is left.
-Verification::Try Verification::RunInStep(const Unit& unit, const ArgumentCase& given, Callees callees) const {
-  const solver::Deadline deadline(solver::Clock::kProcessor, program_.limits.routine_ms);
+Verification::Try Verification::RunInStep(const Unit& unit, const ArgumentCase& given, Callees callees,
+                                          const solver::Deadline& deadline) const {
   Treatment treatment{.callees = callees, .loops = Loops::kInStep, .dropped = {}};
   bool second_chance = false;
   for (int i = 0;; ++i) {
-    UnitVerifier verifier(program_, unit, given, treatment);
+    UnitVerifier verifier(program_, unit, given, treatment, deadline);
     Try tried;
     tried.proof = verifier.Run();
     tried.gave_up = verifier.gave_up();
     tried.has_loops = verifier.has_loops();
     if (i == 0 && tried.has_loops && tried.proof.result != ProofResult::kProved) {
       // Before guesses are looked for that would not help: the first rounds may differ.
-      Try first = RunOnce(unit, given, {.callees = Callees::kFollowed, .loops = Loops::kFirstRounds, .dropped = {}});
+      Try first =
+          RunOnce(unit, given, {.callees = Callees::kFollowed, .loops = Loops::kFirstRounds, .dropped = {}}, deadline);
       if (first.proof.result == ProofResult::kDifferent) return first;
     }
     for (const std::string& guess : verifier.refuted()) ++treatment.dropped[guess];
@@ -120,12 +123,13 @@ Verification::Try Verification::RunInStep(const Unit& unit, const ArgumentCase& 
   }
 }
 
-Verification::Try Verification::ProveCases(const Unit& unit, Callees callees, Loops loops) const {
+Verification::Try Verification::ProveCases(const Unit& unit, Callees callees, Loops loops,
+                                           const solver::Deadline& deadline) const {
   const bool in_step = loops == Loops::kInStep && callees != Callees::kReplacedInOrder;
   std::optional<Try> all;
   for (const ArgumentCase& given : ArgumentCases(program_.ir, unit)) {
-    Try one = in_step ? RunInStep(unit, given, callees)
-                      : RunOnce(unit, given, {.callees = callees, .loops = loops, .dropped = {}});
+    Try one = in_step ? RunInStep(unit, given, callees, deadline)
+                      : RunOnce(unit, given, {.callees = callees, .loops = loops, .dropped = {}}, deadline);
     if (!all) {
       all = std::move(one);
     } else {
@@ -139,7 +143,8 @@ Verification::Try Verification::ProveCases(const Unit& unit, Callees callees, Lo
 }
 
 /// Calls of proved functions as unknown functions first; `granted.open` becomes empty where nothing was left open.
-Verification::Try Verification::ProveWith(const Unit& unit, Loops loops, Granted& granted) const {
+Verification::Try Verification::ProveWith(const Unit& unit, Loops loops, Granted& granted,
+                                          const solver::Deadline& deadline) const {
   Try tried;
   std::optional<RoutineProof> but_for_open;
   bool has_loops = false;
@@ -147,7 +152,9 @@ Verification::Try Verification::ProveWith(const Unit& unit, Loops loops, Granted
     // What is not so for unknown functions may be so for these: only who follows calls finds differences.
     const bool followed = callees == Callees::kFollowed;
     if (!followed && (granted.functions.empty() || but_for_open)) continue;
-    tried = ProveCases(unit, callees, loops);
+    // What was tried in order says least of why nothing is decided.
+    if (deadline.IsOver() && followed && tried.gave_up) break;
+    tried = ProveCases(unit, callees, loops, deadline);
     has_loops = has_loops || tried.has_loops;
     if (tried.proof.result == ProofResult::kProved) {
       if (!followed) tried.proof.relies_on = granted.functions;
@@ -188,16 +195,17 @@ void Verification::Prove(UnitId id) {
   if (inner && !parameters) return;
   Granted granted;
   Collect(unit, granted);
-  Try tried = ProveWith(unit, Loops::kInStep, granted);
+  const solver::Deadline deadline(solver::Clock::kProcessor, program_.limits.routine_ms);
+  Try tried = ProveWith(unit, Loops::kInStep, granted, deadline);
   const auto is_open = [&tried] {
     return tried.proof.result == ProofResult::kNotDecided && !tried.but_for_open.has_value();
   };
-  if (tried.has_loops && is_open()) {
+  if (tried.has_loops && is_open() && !deadline.IsOver()) {
     // The first rounds may differ; and unrolled they may end soon enough.
     const RoutineProof in_step = std::move(tried.proof);
-    tried = ProveCases(unit, Callees::kFollowed, Loops::kFirstRounds);
+    tried = ProveCases(unit, Callees::kFollowed, Loops::kFirstRounds, deadline);
     if (tried.proof.result != ProofResult::kDifferent) {
-      tried = ProveWith(unit, Loops::kUnrolled, granted);
+      tried = ProveWith(unit, Loops::kUnrolled, granted, deadline);
       if (is_open()) tried.proof = in_step;
     }
   }

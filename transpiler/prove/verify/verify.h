@@ -80,7 +80,8 @@ struct CodeShape {
   bool IsUpToFaults() const { return fault.valid(); }
 };
 
-/// In time of the processor: what a verdict is must not depend on what else the machine does.
+/// In time of the processor: what a verdict is must not depend on what else the machine does. A function has its time
+/// once, for all ways in which it is tried.
 struct VerifyLimits {
   uint32_t question_ms = 5'000;
   uint64_t routine_ms = 60'000;

@@ -14,7 +14,7 @@ namespace plcxx::solver {
 
 struct Answered {
   Answer answer = Answer::kUnknown;
-  uint32_t milliseconds = 0;      // how long was asked
+  uint32_t milliseconds = 0;      // how much effort was made; less than asked for where a deadline was near
   bool has_tried_values = false;  // before a solver was asked
 
   /// Whether nothing more is found out in such a time.

@@ -8,6 +8,9 @@
 namespace plcxx::solver {
 namespace {
 
+/// How much longer a step of the solver may take than Limit counts for it, seen with the samples.
+constexpr uint64_t kSlowestStep = 2;
+
 uint64_t NowMs(Clock clock) {
   if (clock == Clock::kProcessor) return static_cast<uint64_t>(std::clock()) * 1000 / CLOCKS_PER_SEC;
   using std::chrono::milliseconds;
@@ -30,7 +33,9 @@ uint64_t Deadline::RestMs() const {
 Limit Deadline::LimitFor(uint32_t effort_ms) const {
   const uint64_t rest = std::max<uint64_t>(1, RestMs());
   if (clock_ == Clock::kWall) return Limit::Effort(effort_ms).Within(rest);
-  return Limit::Effort(static_cast<uint32_t>(std::min<uint64_t>(effort_ms, rest)));
+  // The last questions are smaller ones: none may take longer than what is left.
+  return Limit::Effort(
+      static_cast<uint32_t>(std::min<uint64_t>(effort_ms, std::max<uint64_t>(1, rest / kSlowestStep))));
 }
 
 }  // namespace plcxx::solver

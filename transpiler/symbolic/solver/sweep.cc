@@ -134,8 +134,9 @@ Answer Sweeper::Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds) 
   Answered& known = (*limits_.answered)[form];
   // Where it is possible, who asks wants the values, too.
   if (known.answer != Answer::kPossible && known.Settles(milliseconds)) return known.answer;
-  known.answer = solver_.Check({&differ, 1}, deadline_.LimitFor(milliseconds));
-  known.milliseconds = milliseconds;
+  const Limit limit = deadline_.LimitFor(milliseconds);
+  known.answer = solver_.Check({&differ, 1}, limit);
+  known.milliseconds = limit.effort_ms;
   return known.answer;
 }
 

@@ -1,5 +1,7 @@
 // Comparisons, choices, and parts of terms: what memory, bits in words and joins of branches are made of.
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 
 #include "transpiler/symbolic/terms/terms.h"
@@ -175,6 +177,72 @@ TermId Terms::Slt(TermId a, TermId b) {
   return Binary(TermKind::kSlt, a, b, 1);
 }
 
+TermId Terms::Where(TermId term, TermId condition, bool value) {
+  // What is known follows from what is asked: the first few parts of it, for a condition may be as long as the program.
+  constexpr size_t kMostKnown = 8;
+  std::array<std::pair<TermId, bool>, kMostKnown> known{std::pair(condition, value)};
+  size_t count = 1;
+  const auto is_known = [this](TermId id, TermId fact, bool holds) -> std::optional<bool> {
+    if (id == fact) return holds;
+    if (IsNotOf(id, fact)) return !holds;
+    return std::nullopt;
+  };
+  // Of "and" and "or" the operand that is left, or the constant.
+  const auto of_two = [&](TermId id, TermId fact, bool holds) {
+    const Term found = terms_[id.index];
+    if (found.width != 1 || (found.kind != TermKind::kAnd && found.kind != TermKind::kOr)) return id;
+    for (const auto& [one, other] : {std::pair(found.a, found.b), std::pair(found.b, found.a)}) {
+      const std::optional<bool> operand = is_known(TermId(one), fact, holds);
+      if (operand) return *operand == (found.kind == TermKind::kAnd) ? TermId(other) : Bit(*operand);
+    }
+    return id;
+  };
+  for (size_t i = 0; i < count; ++i) {
+    const auto [fact, holds] = known[i];
+    if (const std::optional<bool> all = is_known(term, fact, holds)) return Bit(*all);
+    const Term found = terms_[term.index];
+    if (found.kind == TermKind::kIte) {
+      const TermId choice = of_two(TermId(found.a), fact, holds);
+      if (TermId(found.a) == fact) {
+        term = TermId(holds ? found.b : found.c);
+      } else if (choice.index != found.a) {
+        term = Ite(choice, TermId(found.b), TermId(found.c));
+      }
+    } else {
+      term = of_two(term, fact, holds);
+    }
+    const Term asked = terms_[fact.index];
+    if (asked.kind == TermKind::kNot && count < kMostKnown) known[count++] = {TermId(asked.a), !holds};
+    if (asked.kind != (holds ? TermKind::kAnd : TermKind::kOr)) continue;
+    for (const uint32_t part : {asked.a, asked.b}) {
+      if (count < kMostKnown) known[count++] = {TermId(part), holds};
+    }
+  }
+  return term;
+}
+
+TermId Terms::OfChoice(TermKind kind, TermId a, TermId b) {
+  constexpr int kMostChoices = 16;  // a table of constants is a longer row of them
+  const bool first = IsConst(b);
+  if (!first && !IsConst(a)) return {};
+  const auto has_constant = [this](const Term& term) {
+    return term.kind == TermKind::kIte && (IsConst(TermId(term.b)) || IsConst(TermId(term.c)));
+  };
+  const Term choice = terms_[(first ? a : b).index];
+  if (!has_constant(choice)) return {};
+  int choices = 0;
+  for (Term next = choice; has_constant(next); next = terms_[IsConst(TermId(next.b)) ? next.c : next.b]) {
+    if (++choices == kMostChoices) return {};
+  }
+  const auto of = [&](uint32_t branch) {
+    const std::array operands = {first ? TermId(branch) : a, first ? b : TermId(branch)};
+    // No term that is there: a quotient is to be made anew, by the rules of quotients.
+    constexpr uint32_t kNone = 0xFFFFFFFF;
+    return Rebuild({kind, choice.width, kNone, kNone}, operands);
+  };
+  return Ite(TermId(choice.a), of(choice.b), of(choice.c));
+}
+
 TermId Terms::Ite(TermId condition, TermId then, TermId otherwise) {
   PLCXX_CHECK(Width(condition) == 1 && Width(then) == Width(otherwise));
   if (IsTrue(condition) || then == otherwise) return then;
@@ -183,11 +251,18 @@ TermId Terms::Ite(TermId condition, TermId then, TermId otherwise) {
     return Ite(TermId(terms_[condition.index].a), otherwise, then);
   }
   // What a branch knows of its own condition.
-  if (const Term term = terms_[then.index]; term.kind == TermKind::kIte && term.a == condition.index) {
-    return Ite(condition, TermId(term.b), otherwise);
+  const TermId known_then = Where(then, condition, true), known_otherwise = Where(otherwise, condition, false);
+  if (known_then != then || known_otherwise != otherwise) return Ite(condition, known_then, known_otherwise);
+  // One condition after the other, as branches in branches ask them.
+  if (const Term both = terms_[condition.index], rest = terms_[otherwise.index];
+      both.kind == TermKind::kAnd && rest.kind == TermKind::kIte && (rest.a == both.a || rest.a == both.b)) {
+    const TermId next(rest.a == both.a ? both.b : both.a);
+    return Ite(TermId(rest.a), Ite(next, then, TermId(rest.b)), TermId(rest.c));
   }
-  if (const Term term = terms_[otherwise.index]; term.kind == TermKind::kIte && term.a == condition.index) {
-    return Ite(condition, then, TermId(term.c));
+  if (const Term one_of = terms_[condition.index], first = terms_[then.index];
+      one_of.kind == TermKind::kOr && first.kind == TermKind::kIte && (first.a == one_of.a || first.a == one_of.b)) {
+    const TermId next(first.a == one_of.a ? one_of.b : one_of.a);
+    return Ite(TermId(first.a), TermId(first.b), Ite(next, TermId(first.c), otherwise));
   }
   if (Width(then) == 1) {
     if (then == condition || IsTrue(then)) return Or(condition, otherwise);

@@ -218,6 +218,7 @@ TermId Terms::Add(TermId a, TermId b) {
     if (IsConst(TermId(term.b)))
       return Add(TermId(term.a), Binary(TermKind::kAdd, TermId(term.b), constant, term.width));
   }
+  if (const TermId choice = OfChoice(TermKind::kAdd, a, b); choice.valid()) return choice;
   return Binary(TermKind::kAdd, a, b, Width(a));
 }
 
@@ -226,6 +227,7 @@ TermId Terms::Sub(TermId a, TermId b) {
   if (a == b) return Const(0, Width(a));
   // One spelling of x - c, which compilers write as x + (-c).
   if (IsConst(b)) return Add(a, Const(uint64_t{0} - Value(b), Width(b)));
+  if (const TermId choice = OfChoice(TermKind::kSub, a, b); choice.valid()) return choice;
   return Binary(TermKind::kSub, a, b, Width(a));
 }
 
@@ -241,6 +243,7 @@ TermId Terms::Mul(TermId a, TermId b) {
       return Shl(other, Const(static_cast<uint64_t>(std::countr_zero(Value(constant))), Width(a)));
     }
   }
+  if (const TermId choice = OfChoice(TermKind::kMul, a, b); choice.valid()) return choice;
   return Binary(TermKind::kMul, a, b, Width(a));
 }
 
@@ -260,6 +263,8 @@ TermId Terms::Udiv(TermId a, TermId b) {
   if (Value(b) > greatest) return Const(0, width);
   if (const uint8_t narrow = WidthOfDivision(greatest); narrow < width)
     return Zext(Udiv(Extract(a, 0, narrow), Const(Value(b), narrow)), width);
+  // After the bound, which may be what a choice says as a whole.
+  if (const TermId choice = OfChoice(TermKind::kUdiv, a, b); choice.valid()) return choice;
   const auto bits = static_cast<uint8_t>(std::bit_width(Masked(~uint64_t{0}, width) / Value(b)));
   return Zext(Extract(Binary(TermKind::kUdiv, a, b, width), 0, bits), width);
 }
@@ -279,12 +284,20 @@ TermId Terms::Urem(TermId a, TermId b) {
   if (Value(b) > greatest) return a;
   if (const uint8_t narrow = WidthOfDivision(greatest); narrow < width)
     return Zext(Urem(Extract(a, 0, narrow), Const(Value(b), narrow)), width);
+  if (const TermId choice = OfChoice(TermKind::kUrem, a, b); choice.valid()) return choice;
   const auto bits = static_cast<uint8_t>(std::bit_width(Value(b) - 1));
   return Zext(Extract(Binary(TermKind::kUrem, a, b, width), 0, bits), width);
 }
 
-TermId Terms::Sdiv(TermId a, TermId b) { return Binary(TermKind::kSdiv, a, b, Width(a)); }
-TermId Terms::Srem(TermId a, TermId b) { return Binary(TermKind::kSrem, a, b, Width(a)); }
+TermId Terms::Sdiv(TermId a, TermId b) {
+  if (const TermId choice = OfChoice(TermKind::kSdiv, a, b); choice.valid()) return choice;
+  return Binary(TermKind::kSdiv, a, b, Width(a));
+}
+
+TermId Terms::Srem(TermId a, TermId b) {
+  if (const TermId choice = OfChoice(TermKind::kSrem, a, b); choice.valid()) return choice;
+  return Binary(TermKind::kSrem, a, b, Width(a));
+}
 
 TermId Terms::Shl(TermId a, TermId b) {
   const uint8_t width = Width(a);

@@ -177,6 +177,10 @@ class Terms {
   TermId Binary(TermKind kind, TermId a, TermId b, uint8_t width);
   bool IsNotOf(TermId a, TermId b) const;
   TermId EqOfConst(TermId a, TermId constant);
+  /// The same where `condition` has the value; looks only at what is asked first in the term.
+  TermId Where(TermId term, TermId condition, bool value);
+  /// An operation of a choice and a constant as the choice of two operations, where one of them is of constants.
+  TermId OfChoice(TermKind kind, TermId a, TermId b);
   /// Two words that are put together alike, part by part where that makes a part simpler; else none.
   TermId ByParts(TermKind kind, TermId a, TermId b);
   /// The bits of `a` that are 1 in the constant, between zeros; none where they are scattered.

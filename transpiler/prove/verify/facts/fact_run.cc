@@ -124,7 +124,7 @@ bool FactRun::AreClaimsShown(Attempt& attempt) {
   }
   solver::SweepLimits sweep;
   sweep.pair_ms = limits_.question_ms;
-  sweep.total_ms = limits_.routine_ms / 2;
+  sweep.total_ms = deadline_.RestMs() / 2;
   sweep.clock = solver::Clock::kProcessor;
   const std::vector<solver::Verdict> verdicts = solver::Compare(terms, *attempt.solver, pairs, sweep);
   // Those that can make others fail first.
@@ -148,7 +148,7 @@ Shown FactRun::Show(Attempt& attempt, const Question& question, terms::TermId wr
     shown.reason = "what its loops keep does not show it";
     return shown;
   }
-  if (attempt.solver->Check({&wrong, 1}, solver::Limit::Effort(limits_.question_ms)) != solver::Answer::kPossible) {
+  if (attempt.solver->Check({&wrong, 1}, deadline_.LimitFor(limits_.question_ms)) != solver::Answer::kPossible) {
     shown.reason = "not within the time";
     return shown;
   }
@@ -190,7 +190,7 @@ std::vector<Shown> FactRun::Decide(Attempt& attempt) {
   }
   solver::SweepLimits sweep;
   sweep.pair_ms = limits_.question_ms;
-  sweep.total_ms = limits_.routine_ms;
+  sweep.total_ms = deadline_.RestMs();
   sweep.clock = solver::Clock::kProcessor;
   sweep.answered = program_.answered.get();
   const std::vector<solver::Verdict> verdicts = solver::Compare(terms, *attempt.solver, pairs, sweep);
@@ -275,9 +275,8 @@ bool FactRun::Try(std::vector<Shown>& shown) {
 
 std::vector<Shown> FactRun::Run() {
   std::vector<Shown> shown;
-  const solver::Deadline deadline(solver::Clock::kProcessor, limits_.routine_ms);
   for (int i = 0; !Try(shown); ++i) {
-    if (i == kMostTries || deadline.IsOver()) {
+    if (i == kMostTries || deadline_.IsOver()) {
       refusal_ = "what its loops keep is not found";
       break;
     }

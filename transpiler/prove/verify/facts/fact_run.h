@@ -16,6 +16,7 @@
 #include "transpiler/prove/verify/units.h"
 #include "transpiler/symbolic/execute/execute.h"
 #include "transpiler/symbolic/solver/answered.h"
+#include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/solver/solver.h"
 
 namespace plcxx::prove::verify::facts {
@@ -49,8 +50,10 @@ struct Shown {
 
 class FactRun {
  public:
-  FactRun(const CheckedProgram& program, const verify::Unit& unit, Calls calls, const FactLimits& limits)
-      : program_(program), unit_(unit), calls_(calls), limits_(limits) {}
+  /// `deadline` outlives the run.
+  FactRun(const CheckedProgram& program, const verify::Unit& unit, Calls calls, const FactLimits& limits,
+          const solver::Deadline& deadline)
+      : program_(program), unit_(unit), calls_(calls), limits_(limits), deadline_(deadline) {}
 
   std::vector<Shown> Run();
   /// Why nothing is shown; empty: it is.
@@ -77,6 +80,7 @@ class FactRun {
   const verify::Unit& unit_;
   Calls calls_;
   const FactLimits& limits_;
+  const solver::Deadline& deadline_;
   verify::DroppedGuesses dropped_;
   std::string refusal_;
 };

@@ -75,11 +75,12 @@ std::vector<ir::InstId> FactProver::OwnFacts(const Unit& unit) const {
 void FactProver::ProveAlone(const Unit& unit) {
   std::vector<ir::InstId> left = OwnFacts(unit);
   if (left.empty()) return;
+  const solver::Deadline deadline(solver::Clock::kProcessor, limits_.routine_ms);
   for (const ir::InstId call : left) proofs_[call] = {.call = call, .reason = {}, .violation = {}};
   for (const Calls calls : {Calls::kAnything, Calls::kFollowed}) {
     if (left.empty() || (calls == Calls::kFollowed && unit.callees.empty())) break;
     Show("facts of " + unit.name);
-    FactRun run(program_, unit, calls, limits_);
+    FactRun run(program_, unit, calls, limits_, deadline);
     const std::vector<Shown> shown = run.Run();
     std::vector<ir::InstId> still;
     for (const ir::InstId call : left) {
@@ -132,7 +133,8 @@ bool FactProver::ReachesOpen(UnitId id) const {
 void FactProver::ProveFromOutside(ir::RoutineId routine) {
   const Unit& unit = program_.units[program_.units.of_routines[routine.index]];
   Show("facts of all that " + unit.name + " calls");
-  FactRun run(program_, unit, Calls::kFollowed, limits_);
+  const solver::Deadline deadline(solver::Clock::kProcessor, limits_.routine_ms);
+  FactRun run(program_, unit, Calls::kFollowed, limits_, deadline);
   const std::vector<Shown> shown = run.Run();
   for (const ir::InstId call : open_) {
     FactProof& proof = proofs_[call];

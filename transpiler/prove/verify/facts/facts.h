@@ -44,7 +44,7 @@ struct FactProof {
 
 struct FactLimits {
   uint32_t question_ms = 5'000;
-  uint64_t routine_ms = 60'000;                           // for one execution of one function
+  uint64_t routine_ms = 60'000;                           // for one function, of the processor
   std::function<void(const std::string& text)> progress;  // may be empty
 };
 

@@ -13,6 +13,7 @@ namespace plcxx::prove::verify::llvm_ir {
 namespace {
 
 constexpr uint32_t kDeepestCall = 200;
+constexpr uint32_t kDeepestJoin = 200;
 constexpr const char* kDecidesUndefined = "a decision by a number that C++ leaves undefined";
 
 }  // namespace
@@ -72,6 +73,55 @@ Passage FlowExecution::Join(std::vector<Passage> passages, const std::vector<ter
   return joined;
 }
 
+FlowExecution::Meeting FlowExecution::JoinSince(const FlowLevel& level, uint32_t dominator,
+                                                std::vector<Passage> passages,
+                                                const std::vector<terms::TermId>& since_dominator, uint32_t depth) {
+  // The node right after the dominator that a passage comes through; kDirect: it comes from there itself.
+  constexpr uint32_t kDirect = 0xFFFFFFFF;
+  const auto branch_of = [&level, dominator](const Passage& passage) {
+    uint32_t branch = kDirect;
+    for (uint32_t at = passage.node; at != dominator; at = level.nodes[at].dominator) branch = at;
+    return branch;
+  };
+  std::vector<std::pair<uint32_t, std::vector<Passage>>> groups;
+  for (Passage& passage : passages) {
+    const uint32_t branch = branch_of(passage);
+    const auto same = std::ranges::find(groups, branch, &std::pair<uint32_t, std::vector<Passage>>::first);
+    if (branch == kDirect || depth == kDeepestJoin || same == groups.end()) {
+      groups.emplace_back(branch, std::vector<Passage>()).second.push_back(std::move(passage));
+    } else {
+      same->second.push_back(std::move(passage));
+    }
+  }
+  std::vector<Passage> joined;
+  std::vector<terms::TermId> conditions;
+  terms::TermId any = terms_.Bit(false);
+  for (auto& [branch, members] : groups) {
+    uint32_t common = members.front().node;
+    const auto dominates = [&level, dominator](uint32_t node, const Passage& passage) {
+      uint32_t at = passage.node;
+      // Nodes are numbered after their dominators.
+      while (at > node && at != dominator) at = level.nodes[at].dominator;
+      return at == node;
+    };
+    const auto is_common = [&](const Passage& passage) { return dominates(common, passage); };
+    while (common != dominator && !std::ranges::all_of(members, is_common)) common = level.nodes[common].dominator;
+    Meeting meeting;
+    if (members.size() == 1) {
+      meeting.when = members.front().when;
+      meeting.passage = std::move(members.front());
+    } else {
+      meeting = JoinSince(level, common, std::move(members), since_dominator, depth + 1);
+    }
+    for (uint32_t at = common; at != dominator; at = level.nodes[at].dominator)
+      meeting.when = terms_.And(since_dominator[at], meeting.when);
+    joined.push_back(std::move(meeting.passage));
+    conditions.push_back(meeting.when);
+    any = terms_.Or(any, meeting.when);
+  }
+  return {.passage = Join(std::move(joined), conditions), .when = any};
+}
+
 void FlowExecution::RunLevel(const FlowLevel& level, Passage entry, terms::TermId context,
                              std::vector<Passage>& leaving) {
   const size_t count = level.nodes.size();
@@ -86,18 +136,10 @@ void FlowExecution::RunLevel(const FlowLevel& level, Passage entry, terms::TermI
       since_dominator[i] = since_head[i] = terms_.Bit(true);
     } else {
       if (incoming[i].empty()) continue;
-      std::vector<terms::TermId> conditions;
-      terms::TermId any = terms_.Bit(false);
-      for (const Passage& passage : incoming[i]) {
-        terms::TermId when = passage.when;
-        for (uint32_t at = passage.node; at != node.dominator; at = level.nodes[at].dominator)
-          when = terms_.And(since_dominator[at], when);
-        conditions.push_back(when);
-        any = terms_.Or(any, when);
-      }
-      since_dominator[i] = node.always ? terms_.Bit(true) : any;
+      Meeting meeting = JoinSince(level, node.dominator, std::move(incoming[i]), since_dominator, 0);
+      since_dominator[i] = node.always ? terms_.Bit(true) : meeting.when;
       since_head[i] = terms_.And(since_head[node.dominator], since_dominator[i]);
-      here = Join(std::move(incoming[i]), conditions);
+      here = std::move(meeting.passage);
     }
     std::vector<Passage> passages;
     const terms::TermId when_here = terms_.And(context, since_head[i]);

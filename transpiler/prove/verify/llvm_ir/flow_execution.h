@@ -31,6 +31,15 @@ class FlowExecution : private ExecutionPart {
   Passage Join(std::vector<Passage> passages, const std::vector<terms::TermId>& conditions);
 
  private:
+  /// Passages that meet, and one of which is taken when `when` holds since the node that they were joined for.
+  struct Meeting {
+    Passage passage;
+    terms::TermId when;
+  };
+  /// Branches in branches are joined from inside, as a program with the same branches does: passages that have more
+  /// nodes in common than `dominator` meet first. `since_dominator`: by node of the level.
+  Meeting JoinSince(const FlowLevel& level, uint32_t dominator, std::vector<Passage> passages,
+                    const std::vector<terms::TermId>& since_dominator, uint32_t depth);
   void RunBlock(const llvm::BasicBlock& block, Passage entry, std::vector<Passage>& leaving);
   /// By the instruction that ends the block.
   void LeaveBlock(const llvm::Instruction& inst, std::vector<Passage>& leaving);
