@@ -22,9 +22,10 @@ struct Usage {
 Usage FindUsage(const CheckContext& context) {
   const Unit& unit = context.unit;
   Usage usage{std::vector<bool>(unit.variables.size()), std::vector<bool>(unit.variables.size())};
-  std::vector<uint32_t> parent(unit.expressions.size(), ExprId::kNone);
+  std::vector<uint32_t> parent(unit.expressions.size(), ExprId::kNone), names;
   for (uint32_t i = 0; i < unit.expressions.size(); ++i) {
     const Expr& expr = unit.expressions[ExprId(i)];
+    if (expr.kind == ExprKind::kVariable) names.push_back(i);
     for (const ExprId child : {expr.a, expr.b, expr.c}) {
       if (child.valid()) parent[child.index] = i;
     }
@@ -40,10 +41,8 @@ Usage FindUsage(const CheckContext& context) {
     if (statement.step.valid()) is_statement[statement.step.index] = true;
     if (statement.first.valid()) is_statement[statement.first.index] = true;
   }
-  for (uint32_t i = 0; i < unit.expressions.size(); ++i) {
-    const Expr& expr = unit.expressions[ExprId(i)];
-    if (expr.kind != ExprKind::kVariable) continue;
-    const uint32_t variable = expr.variable.index;
+  for (const uint32_t i : names) {
+    const uint32_t variable = unit.expressions[ExprId(i)].variable.index;
     uint32_t at = i, up = parent[i];
     // Through members and elements to what is done with them.
     while (up != ExprId::kNone) {

@@ -5,6 +5,11 @@
 namespace plcxx::hnc {
 
 Effects::Effects(const Unit& unit) : of_function_(unit.functions.size()), has_inner_stores_(unit.statements.size()) {
+  for (uint32_t i = 0; i < unit.expressions.size(); ++i) {
+    const ExprKind kind = unit.expressions[ExprId(i)].kind;
+    if (kind == ExprKind::kAssign || kind == ExprKind::kCall) flows_.emplace_back(i);
+    if (kind == ExprKind::kAddress) addresses_.emplace_back(i);
+  }
   std::vector<ExprId> open;
   for (const FunctionId id : unit.definitions) {
     std::vector<ExprId>& effects = of_function_[id.index];

@@ -46,18 +46,16 @@ static ExprId Unconverted(const Unit& unit, ExprId id) {
 }
 
 void Facts::FindRegistrations() {
-  for (uint32_t i = 0; i < unit_.expressions.size(); ++i) {
-    const Expr& expr = unit_.expressions[ExprId(i)];
+  for (const ExprId id : effects_.flows()) {
+    const Expr& expr = unit_.expressions[id];
     if (expr.kind != ExprKind::kCall || !expr.function.valid() || expr.arguments.size() != 3) continue;
     if (unit_.functions[expr.function].system != SystemFunction::kSetMstFunc) continue;
     const std::optional<int64_t> channel = ConstantOf(expr.arguments[0]), kind = ConstantOf(expr.arguments[1]);
     if (!channel || !kind || *channel < 0 || *channel > 3 || *kind <= 0 || *kind > 127) continue;
     const size_t letter = kHandlerKinds.find(static_cast<char>(*kind));
     if (letter == std::string_view::npos) continue;
-    Registration registration{.call = ExprId(i),
-                              .channel = static_cast<uint32_t>(*channel),
-                              .kind = static_cast<uint32_t>(letter),
-                              .function = {}};
+    Registration registration{
+        .call = id, .channel = static_cast<uint32_t>(*channel), .kind = static_cast<uint32_t>(letter), .function = {}};
     const ExprId handler = Unconverted(unit_, expr.arguments[2]);
     if (!handler.valid()) continue;
     const Expr& named = unit_.expressions[handler];
@@ -115,8 +113,9 @@ void Facts::FindMemory() {
     const bool automatic = variable.storage == Storage::kAutomatic || variable.storage == Storage::kParameter;
     in_memory_[i] = !automatic || !scalar;
   }
-  for (const Expr& expr : unit_.expressions) {
-    if (expr.kind != ExprKind::kAddress || !expr.a.valid()) continue;
+  for (const ExprId id : effects_.addresses()) {
+    const Expr& expr = unit_.expressions[id];
+    if (!expr.a.valid()) continue;
     const Expr& operand = unit_.expressions[expr.a];
     if (operand.kind == ExprKind::kVariable) in_memory_[operand.variable.index] = true;
   }
@@ -273,7 +272,8 @@ void Facts::FindTargets() {
       flow(targets_[i], initial.type, initial.value);
     }
   }
-  for (const Expr& expr : unit_.expressions) {
+  for (const ExprId id : effects_.flows()) {
+    const Expr& expr = unit_.expressions[id];
     if (expr.kind == ExprKind::kAssign && unit_.expressions[expr.a].kind == ExprKind::kVariable) {
       flow(targets_[unit_.expressions[expr.a].variable.index], unit_.expressions[expr.a].type, expr.b);
     } else if (expr.kind == ExprKind::kCall && expr.function.valid()) {

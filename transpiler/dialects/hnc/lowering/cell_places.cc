@@ -48,16 +48,19 @@ std::string_view SuffixOf(ir::Type type) {
 }  // namespace
 
 void CellPlaces::CollectNames() {
+  std::vector<ExprId> whole;
+  for (uint32_t i = 0; i < unit_.expressions.size(); ++i) {
+    const Expr& expr = unit_.expressions[ExprId(i)];
+    if (expr.whole_macro && expr.macro.valid() && expr.is_lvalue) whole.emplace_back(i);
+  }
   for (const bool system : {false, true}) {
-    for (uint32_t i = 0; i < unit_.expressions.size(); ++i) {
-      const Expr& expr = unit_.expressions[ExprId(i)];
-      if (!expr.whole_macro || !expr.macro.valid()) continue;
+    for (const ExprId id : whole) {
+      const Expr& expr = unit_.expressions[id];
       const MacroUse& use = unit_.macro_uses[expr.macro];
       const Macro& macro = unit_.macros[use.macro];
       if (macro.is_system != system || (!system && macro.has_parameters)) continue;
-      if (!expr.is_lvalue) continue;
       // An element of a table of pointers is as far from the table's beginning as its word from the area's.
-      const std::optional<StaticAddress> at = facts_.AddressOf(ExprId(i));
+      const std::optional<StaticAddress> at = facts_.AddressOf(id);
       if (!at || objects_[at->object].kind != ObjectKind::kArea || at->offset < 0) continue;
       const std::string name = macro.has_parameters ? AsName(sources_.Text(use.range)) : macro.name;
       cell_names_.emplace(std::pair(at->object.index, static_cast<uint32_t>(at->offset)), name);

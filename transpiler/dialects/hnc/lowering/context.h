@@ -69,7 +69,10 @@ enum class Tail : uint8_t { kNone, kCase, kFunction };
 struct Translation {
   Translation(const Unit& tree, const Objects& all, const Facts& known, const Settings& options,
               const source::SourceManager& files, diag::Engine& engine)
-      : unit(tree), objects(all), facts(known), settings(options), sources(files), diagnostics(engine) {}
+      : unit(tree), objects(all), facts(known), settings(options), sources(files), diagnostics(engine) {
+    program.insts.Reserve(tree.expressions.size());  // about as many
+    program.statements.Reserve(tree.statements.size());
+  }
 
   const Unit& unit;
   const Objects& objects;

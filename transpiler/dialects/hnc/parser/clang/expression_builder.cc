@@ -6,19 +6,11 @@
 
 namespace plcxx::hnc {
 
-MacroUseId ExpressionBuilder::UseAt(source::Offset begin) {
-  if (begin == asked_) return use_;
-  const auto use = session_.macro_uses.find(begin);
-  asked_ = begin;
-  use_ = use == session_.macro_uses.end() ? MacroUseId() : use->second;
-  return use_;
-}
-
-void ExpressionBuilder::Locate(const clang::Expr* expr, Expr& result) {
+void ExpressionBuilder::Locate(const clang::Expr* expr, Expr& result) const {
   const clang::SourceLocation begin = now_.extents.BeginOf(expr), end = now_.extents.EndOf(expr);
   result.range = session_.places.Of(begin, end);
   if (!begin.isMacroID()) return;
-  const MacroUseId use = UseAt(result.range.begin);
+  const MacroUseId use = session_.macro_uses.At(result.range.begin);
   if (!use.valid()) return;
   result.macro = use;
   clang::SourceLocation first, last;

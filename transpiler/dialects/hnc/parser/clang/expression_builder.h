@@ -24,16 +24,11 @@ class ExpressionBuilder : private NodeConverter {
   /// The operand converted, as the same text.
   ExprId InType(ExprId operand, TypeId type);
   /// Where the expression is, which macro wrote it, and whether that wrote nothing else.
-  void Locate(const clang::Expr* expr, Expr& result);
+  void Locate(const clang::Expr* expr, Expr& result) const;
 
  private:
-  /// The outermost use of a macro that begins at a place; none: there is none.
-  MacroUseId UseAt(source::Offset begin);
-
   TypeConverter& types_;
   ConstantFolder& folder_;
-  source::Offset asked_ = 0;  // for a use: the parts of one come one after the other
-  MacroUseId use_;            // that is there
 };
 
 }  // namespace plcxx::hnc

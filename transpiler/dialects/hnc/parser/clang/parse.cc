@@ -136,7 +136,9 @@ void ParseTokens(Session& session) {
     sema.ActOnEndOfTranslationUnit();
   }
   // About as many expressions as tokens, and growing copies all of them again and again; the tokens are read.
+  constexpr size_t kTokensOfStatement = 8;
   session.output.unit.expressions.Reserve(session.tokens.size());
+  session.output.unit.statements.Reserve(session.tokens.size() / kTokensOfStatement);
   session.tokens = {};
   session.findings().SetPhase(Phase::kMeaning);
   Conversion conversion{.session = session};

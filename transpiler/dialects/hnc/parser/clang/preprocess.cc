@@ -84,7 +84,7 @@ class Watcher : public clang::PPCallbacks {
     if (info == nullptr || info->isBuiltinMacro()) return;
     const MacroId id = IdOf(*info, name);
     const source::Range place = session_.places.Of(range);
-    session_.macro_uses[place.begin] = session_.output.unit.macro_uses.Add({id, place});
+    session_.macro_uses.Add(place.begin, session_.output.unit.macro_uses.Add({id, place}));
   }
 
   void SourceRangeSkipped(clang::SourceRange range, clang::SourceLocation /*endif*/) override {
@@ -219,6 +219,7 @@ void Preprocess(Session& session) {
     preprocessor.Lex(token);
     session.tokens.push_back(token);
   } while (token.isNot(clang::tok::eof));
+  session.macro_uses.Sort();
 }
 
 }  // namespace plcxx::hnc

@@ -7,9 +7,9 @@
 #include <clang/Lex/Token.h>
 
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "transpiler/dialects/hnc/parser/clang/macro_uses.h"
 #include "transpiler/dialects/hnc/parser/module.h"
 
 namespace clang {
@@ -73,11 +73,11 @@ struct Session {
   ParserOutput& output;
   clang::CompilerInstance clang;
   Places places;
-  const clang::Parser* parser = nullptr;                      // while it runs
-  std::vector<clang::Token> tokens;                           // after the preprocessor and the language's own words
-  std::unordered_map<source::Offset, MacroUseId> macro_uses;  // outermost uses by their places
-  std::vector<LoopBound> loop_bounds;                         // #pragma plcxx loop_bound, by place
-  bool stopped = false;  // nested too deep, too many errors: what follows the place is not looked at
+  const clang::Parser* parser = nullptr;  // while it runs
+  std::vector<clang::Token> tokens;       // after the preprocessor and the language's own words
+  MacroUses macro_uses;
+  std::vector<LoopBound> loop_bounds;  // #pragma plcxx loop_bound, by place
+  bool stopped = false;                // nested too deep, too many errors: what follows the place is not looked at
 
   Findings& findings() { return output.findings; }
   clang::SourceManager& sources() { return clang.getSourceManager(); }

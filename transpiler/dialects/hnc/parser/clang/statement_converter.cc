@@ -39,11 +39,8 @@ Statement StatementConverter::Start(StatementKind kind, const clang::Stmt* state
   result.keyword = session_.places.OfToken(statement->getBeginLoc());
   result.head = result.range;
   if (statement->getBeginLoc().isMacroID()) {
-    const auto use = session_.macro_uses.find(result.range.begin);
-    if (use != session_.macro_uses.end()) {
-      result.macro = use->second;
-      result.keyword = unit_.macro_uses[use->second].range;
-    }
+    result.macro = session_.macro_uses.At(result.range.begin);
+    if (result.macro.valid()) result.keyword = unit_.macro_uses[result.macro].range;
   }
   return result;
 }
@@ -56,6 +53,7 @@ StatementId StatementConverter::Add(Statement statement) {
 /// With the ';' after it.
 source::Range StatementConverter::WithSemicolon(source::Range range) const {
   if (range.begin == 0) return range;
+  if (Written({range.end, range.end + 1}) == ";") return {range.begin, range.end + 1};
   constexpr source::Offset kFar = 2000;  // of comments between a statement and its ';'
   const std::string behind = Written({range.end, range.end + kFar});
   const size_t gap = GapLength(behind);
