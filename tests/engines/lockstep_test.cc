@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/scenarios/scenario_fixture.h"
@@ -81,7 +82,7 @@ struct Bench {
   }
 
   std::string Difference() const { return lockstep->difference() ? lockstep->difference()->what : "none"; }
-  uint64_t Get(uint32_t place, size_t engine) const {
+  uint64_t Get(uint32_t place, size_t engine) {
     return lockstep->engines()[engine]->Read(program.places[ir::PlaceId(place)]);
   }
 };
@@ -208,6 +209,89 @@ TEST(Lockstep, ManyCallsInOnePeriodWaitForNobody) {
   bench.lockstep->PowerOn();
   bench.lockstep->RunPeriod(10);
   EXPECT_EQ(bench.Difference(), "none");
+}
+
+// More periods than may be open at a time; each asks, and in each the host writes.
+TEST(LockstepBehind, WhoFollowsLaterIsToldAndDoesTheSame) {
+  Bench bench(kAsking, kAsking, Second::kCompiled);
+  bench.lockstep->FollowLater();
+  bench.lockstep->PowerOn();
+  for (uint32_t period = 1; period <= 300; ++period) bench.lockstep->RunPeriod(10 * period);
+  bench.lockstep->EndPieces();
+  EXPECT_EQ(bench.Difference(), "none");
+  EXPECT_EQ(bench.asked.size(), 601u);
+  for (uint32_t place = 0; place < 4; ++place) EXPECT_EQ(bench.Get(place, 0), bench.Get(place, 1)) << place;
+}
+
+/// N counts periods; the last value that it has is to be told.
+std::string Counting(const std::string& most) {
+  return R"(
+  space M 2 volatile little host_visible
+  space V 4 volatile little host_visible
+  place N i8 M[0]
+  routine init init {
+  }
+  routine period schedule {
+    %n = load N
+    %one = const i8 1
+    %next = add.i8 %n %one
+    %most = const i8 )" +
+         most + R"(
+    %is = eq.i8 %n %most
+    if %is {
+    } else {
+      store N %next
+    }
+  }
+  schedule init init
+  schedule period period
+)";
+}
+
+TEST(LockstepBehind, ADifferenceHasTheMomentAtWhichItCame) {
+  for (const bool later : {false, true}) {
+    Bench bench(Counting("5"), Counting("200"), Second::kCompiled);
+    if (later) bench.lockstep->FollowLater();
+    bench.lockstep->PowerOn();
+    for (uint32_t period = 1; period <= 20; ++period) bench.lockstep->RunPeriod(10 * period);
+    bench.lockstep->EndPieces();
+    ASSERT_TRUE(bench.lockstep->difference());
+    EXPECT_EQ(bench.lockstep->difference()->now_ms, 60u);
+    EXPECT_EQ(bench.lockstep->went_on(), later);
+  }
+}
+
+// What the host writes between periods is no part of the memory of the periods before.
+TEST(LockstepBehind, WhatIsWrittenWaitsForThePeriodsBefore) {
+  Bench bench(Counting("200"), Counting("200"), Second::kCompiled);
+  bench.lockstep->FollowLater();
+  bench.lockstep->PowerOn();
+  ir::Place unused = bench.program.places[ir::PlaceId(0)];
+  unused.space = ir::SpaceId(1);
+  for (uint32_t period = 1; period <= 50; ++period) {
+    bench.lockstep->RunPeriod(10 * period);
+    if (period % 7 == 0) bench.lockstep->Write(unused, period);
+    if (period % 9 == 0) bench.lockstep->Write(bench.program.places[ir::PlaceId(0)], period);
+  }
+  bench.lockstep->EndPieces();
+  EXPECT_EQ(bench.Difference(), "none");
+  EXPECT_EQ(bench.lockstep->engines()[1]->Read(unused), 49u);
+  EXPECT_EQ(bench.Get(0, 1), 50u);
+}
+
+TEST(LockstepBehind, CallsThatNobodyExpectedEndInADifference) {
+  std::string more(kAsking);
+  const std::string exchange = "    host exchange ()\n";
+  more.insert(more.find(exchange), exchange);
+  for (const auto& [text, first] : {std::pair<std::string, std::string>(more, kAsking), {std::string(kAsking), more}}) {
+    Bench bench(text, first, Second::kCompiled);
+    bench.lockstep->FollowLater();
+    bench.lockstep->PowerOn();
+    for (uint32_t period = 1; period <= 5; ++period) bench.lockstep->RunPeriod(10 * period);
+    bench.lockstep->EndPieces();
+    EXPECT_EQ(bench.Difference(), "the host calls");
+    EXPECT_EQ(bench.lockstep->difference()->now_ms, 10u);
+  }
 }
 
 // A process that has served an engine serves the next one as if it were new.

@@ -1,7 +1,9 @@
 #include "transpiler/engines/compiled_engine.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <deque>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,6 +14,10 @@
 
 namespace plcxx::engines {
 namespace {
+
+// What the child may have answered before anybody reads it: less than the pipe holds, so that it goes on meanwhile.
+constexpr size_t kMostUnreadBytes = 32 * 1024;
+constexpr size_t kMostOpenPieces = 128;
 
 /// Where one bit or byte of a place is: a byte of State, or of the shadow of what the program does not use.
 struct PlacePart {
@@ -43,7 +49,7 @@ class CompiledEngine : public sim::Engine {
 
   /// A child that has answered everything may serve another engine.
   ~CompiledEngine() override {
-    if (child_ == nullptr || owes_answer_) return;
+    if (child_ == nullptr || owes_answer_ || !open_.empty()) return;
     Command("Q");
     if (child_->Send(outgoing_)) compiled_->executable->GiveBack(std::move(child_));
   }
@@ -82,6 +88,19 @@ class CompiledEngine : public sim::Engine {
   void AnswerHostCalls(sim::HostAnswers answers) override {
     answers_ = std::move(answers);
     Ask(answers_ ? Asking::kWithState : Asking::kNobody);
+  }
+
+  uint32_t RunAhead() override {
+    runs_ahead_ = true;
+    return static_cast<uint32_t>(
+        std::clamp(kMostUnreadBytes / (state_.size() + sizeof(uint32_t)), size_t{1}, kMostOpenPieces));
+  }
+
+  void EndPiece() override {
+    if (open_.empty()) return;
+    const size_t known = open_.front();
+    open_.pop_front();
+    Answer(known);
   }
 
   uint64_t Read(const ir::Place& place) override {
@@ -219,7 +238,12 @@ class CompiledEngine : public sim::Engine {
       CommandAnswer(call.answer);
     }
     if (asking_ == Asking::kTells) Command("D");
-    Answer(expected.size());
+    if (!runs_ahead_) {
+      Answer(expected.size());
+      return;
+    }
+    PLCXX_CHECK(asking_ != Asking::kWithState);  // the child waits for an answer that nobody knows yet
+    open_.push_back(expected.size());
   }
 
   void CommandAnswer(const sim::HostAnswer& answer) {
@@ -331,7 +355,9 @@ class CompiledEngine : public sim::Engine {
   const emit::layout::Layout& layout_;
   std::unique_ptr<compile::ChildProcess> child_;
   bool owes_answer_ = false;  // the child; then it serves nobody else
-  std::string outgoing_;      // commands that nothing was received behind yet
+  bool runs_ahead_ = false;
+  std::deque<size_t> open_;  // of each piece that was begun and not ended: how many calls have their answers already
+  std::string outgoing_;     // commands that nothing was received behind yet
   Asking asking_ = Asking::kNobody;
   std::span<const sim::AnsweredCall> expected_;  // of the next piece
   std::vector<uint8_t> state_;                   // mirror of the child's State

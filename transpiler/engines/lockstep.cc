@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "transpiler/engines/compiled_engine.h"
 #include "transpiler/engines/lockstep_snapshot.h"
 #include "transpiler/ir/facts.h"
 #include "transpiler/sim/same_arguments.h"
@@ -35,28 +36,69 @@ bool SameCall(const ir::Program& program, const sim::HostEvent& one, const sim::
 Lockstep::Lockstep(const ir::Program& program, std::vector<std::unique_ptr<sim::Engine>> engines)
     : program_(program), engines_(std::move(engines)), false_fact_function_(ir::FalseFactOf(program)) {
   PLCXX_CHECK(!engines_.empty());
+  for (size_t i = 1; i < engines_.size(); ++i) followers_.push_back({.engine = engines_[i].get(), .open = {}});
+}
+
+void Lockstep::FollowLater() {
+  for (Follower& follower : followers_) follower.most_open = follower.engine->RunAhead();
+}
+
+void Lockstep::EndPieces() {
+  for (Follower& follower : followers_) {
+    while (!follower.open.empty()) EndOldest(follower);
+  }
 }
 
 void Lockstep::Execute(uint32_t now_ms, const Change& piece) {
-  now_ms_ = now_ms;
-  calls_.clear();
-  for (const auto& engine : engines_) {
-    repeated_ = 0;
-    has_answers_ = answers_ && engine != engines_.front() && engine->ExpectCalls(calls_);
-    piece(*engine);
-    if (engine != engines_.front() && repeated_ < calls_.size()) {
-      CallsDiffer(*engine, ToText(program_, calls_[repeated_].call), "none");
-    }
+  piece_ = std::make_shared<Piece>(Piece{.now_ms = now_ms, .calls = {}, .events = {}, .state = {}});
+  sim::Engine& first = *engines_.front();
+  piece(first);
+  TakeEventsOfFirst();
+  if (!followers_.empty()) piece_->state = first.Snapshot();
+  for (Follower& follower : followers_) Follow(follower, {.piece = piece_}, piece);
+}
+
+void Lockstep::Follow(Follower& follower, Followed followed, const Change& piece) {
+  sim::Engine& engine = *follower.engine;
+  const bool changes =
+      std::ranges::any_of(followed.piece->calls, [](const auto& call) { return !call.changes.empty(); });
+  if (changes) {
+    while (!follower.open.empty()) EndOldest(follower);
   }
-  Compare(now_ms);
+  followed.has_answers = answers_ && engine.ExpectCalls(followed.piece->calls);
+  if (follower.most_open == 1) {
+    followed_ = std::move(followed);
+    piece(engine);
+    Compare(engine);
+    return;
+  }
+  piece(engine);
+  follower.open.push_back(std::move(followed));
+  // While the older half is looked at, the engine is busy with the rest.
+  if (follower.open.size() < follower.most_open) return;
+  while (follower.open.size() > follower.most_open / 2) EndOldest(follower);
+}
+
+void Lockstep::EndOldest(Follower& follower) {
+  followed_ = std::move(follower.open.front());
+  follower.open.pop_front();
+  try {
+    follower.engine->EndPiece();
+  } catch (const EngineFault&) {
+    // What it was told after another call than was expected, it could not understand.
+    if (!difference_) throw;
+    return;
+  }
+  Compare(*follower.engine);
 }
 
 void Lockstep::Each(Change change) {
   if (answering_) {
     change(*engines_.front());
-    calls_.back().changes.push_back(std::move(change));
+    piece_->calls.back().changes.push_back(std::move(change));
     return;
   }
+  EndPieces();
   for (const auto& engine : engines_) change(*engine);
 }
 
@@ -76,35 +118,42 @@ void Lockstep::AnswerHostCalls(sim::HostAnswers answers) {
 }
 
 sim::HostAnswer Lockstep::AnswerFirst(ir::HostFunctionId function, std::span<const uint64_t> arguments) {
-  calls_.push_back({{function, {arguments.begin(), arguments.end()}}, {}, {}});
+  piece_->calls.push_back({{function, {arguments.begin(), arguments.end()}}, {}, {}});
   answering_ = true;
   const sim::HostAnswer answer = answers_(function, arguments);
   answering_ = false;
-  calls_.back().answer = answer;
+  piece_->calls.back().answer = answer;
   return answer;
 }
 
 sim::HostAnswer Lockstep::AnswerAgain(sim::Engine& engine, ir::HostFunctionId function,
                                       std::span<const uint64_t> arguments) {
   const sim::HostEvent call{function, {arguments.begin(), arguments.end()}};
-  if (repeated_ >= calls_.size()) {
+  const std::vector<sim::AnsweredCall>& calls = followed_.piece->calls;
+  if (followed_.repeated >= calls.size()) {
     CallsDiffer(engine, "none", ToText(program_, call));
     return {};
   }
-  const sim::AnsweredCall& before = calls_[repeated_++];
+  const sim::AnsweredCall& before = calls[followed_.repeated++];
   if (!SameCall(program_, before.call, call))
     CallsDiffer(engine, ToText(program_, before.call), ToText(program_, call));
-  if (has_answers_) return {};
+  if (followed_.has_answers) return {};
   for (const Change& change : before.changes) change(engine);
   return before.answer;
 }
 
-void Lockstep::CallsDiffer(const sim::Engine& other, const std::string& first, const std::string& second) {
+void Lockstep::Differ(std::string what, std::optional<ir::Place> place, std::string first, std::string second) {
   if (difference_) return;
-  difference_ = {"the host calls", std::nullopt, ByEngine(*engines_.front(), first), ByEngine(other, second), now_ms_};
+  difference_ = {std::move(what), place, std::move(first), std::move(second), followed_.piece->now_ms};
+  went_on_ = followed_.piece != piece_;
+}
+
+void Lockstep::CallsDiffer(const sim::Engine& other, const std::string& first, const std::string& second) {
+  Differ("the host calls", std::nullopt, ByEngine(*engines_.front(), first), ByEngine(other, second));
 }
 
 void Lockstep::PowerOn() {
+  EndPieces();
   Execute(0, [](sim::Engine& engine) { engine.PowerOn(); });
 }
 
@@ -146,26 +195,29 @@ void Lockstep::StoreRetentive() {
 
 std::vector<sim::HostEvent> Lockstep::TakeEvents() { return std::exchange(events_, {}); }
 
-void Lockstep::Compare(uint32_t now_ms) {
-  const std::vector<sim::HostEvent> events = engines_.front()->TakeEvents();
+void Lockstep::TakeEventsOfFirst() {
+  piece_->events = engines_.front()->TakeEvents();
+  const std::vector<sim::HostEvent>& events = piece_->events;
   events_.insert(events_.end(), events.begin(), events.end());
   const auto false_fact = std::ranges::find(events, false_fact_function_, &sim::HostEvent::function);
   if (false_fact_function_.valid() && !false_fact_ && false_fact != events.end()) false_fact_ = *false_fact;
-  if (engines_.size() == 1) return;
-  const std::vector<uint8_t> state = engines_.front()->Snapshot();
-  for (size_t i = 1; i < engines_.size(); ++i) {
-    CompareStates(*engines_[i], state, now_ms);
-    CompareEvents(*engines_[i], events);
-  }
 }
 
-void Lockstep::CompareStates(sim::Engine& other, const std::vector<uint8_t>& expected, uint32_t now_ms) {
+void Lockstep::Compare(sim::Engine& other) {
+  const std::vector<sim::AnsweredCall>& calls = followed_.piece->calls;
+  if (followed_.repeated < calls.size()) CallsDiffer(other, ToText(program_, calls[followed_.repeated].call), "none");
+  CompareStates(other);
+  CompareEvents(other);
+}
+
+void Lockstep::CompareStates(sim::Engine& other) {
+  const std::vector<uint8_t>& expected = followed_.piece->state;
   const std::vector<uint8_t> found = other.Snapshot();
   if (difference_ || found == expected) return;
   const sim::Engine& first = *engines_.front();
   if (found.size() != expected.size()) {
-    difference_ = {"the size of the state", std::nullopt, ByEngine(first, std::to_string(expected.size()) + " bytes"),
-                   ByEngine(other, std::to_string(found.size()) + " bytes"), now_ms};
+    Differ("the size of the state", std::nullopt, ByEngine(first, std::to_string(expected.size()) + " bytes"),
+           ByEngine(other, std::to_string(found.size()) + " bytes"));
     return;
   }
   for (size_t from = 0;;) {
@@ -177,13 +229,14 @@ void Lockstep::CompareStates(sim::Engine& other, const std::vector<uint8_t>& exp
     const uint64_t left = CellValue(cell, expected), right = CellValue(cell, found);
     from = at + 1;
     if (sim::SameValue(cell.type, left, right)) continue;
-    difference_ = {cell.name, cell.place, ByEngine(first, ValueText(cell.type, left)),
-                   ByEngine(other, ValueText(cell.type, right)), now_ms};
+    Differ(cell.name, cell.place, ByEngine(first, ValueText(cell.type, left)),
+           ByEngine(other, ValueText(cell.type, right)));
     return;
   }
 }
 
-void Lockstep::CompareEvents(sim::Engine& other, const std::vector<sim::HostEvent>& expected) {
+void Lockstep::CompareEvents(sim::Engine& other) {
+  const std::vector<sim::HostEvent>& expected = followed_.piece->events;
   const std::vector<sim::HostEvent> found = other.TakeEvents();
   const bool is_same = std::ranges::equal(
       found, expected, [this](const auto& one, const auto& another) { return SameCall(program_, one, another); });

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -33,9 +34,20 @@ class Lockstep : public sim::Engine {
  public:
   Lockstep(const ir::Program& program, std::vector<std::unique_ptr<sim::Engine>> engines);
 
-  const std::vector<std::unique_ptr<sim::Engine>>& engines() const { return engines_; }
+  /// From now on the others may be some pieces behind the first one, which saves most of the time of those in processes
+  /// of their own. They have caught up, and differences are known, behind EndPieces, and whenever something is written.
+  void FollowLater();
+  void EndPieces();
+
+  /// They have caught up.
+  const std::vector<std::unique_ptr<sim::Engine>>& engines() {
+    EndPieces();
+    return engines_;
+  }
   /// The first one since the beginning; stays.
   const std::optional<Difference>& difference() const { return difference_; }
+  /// It was seen late: the first engine had gone on from where it is (FollowLater).
+  bool went_on() const { return went_on_; }
   /// The first call that says so of a program whose facts are checked (ir/facts.h); stays.
   const std::optional<sim::HostEvent>& false_fact() const { return false_fact_; }
 
@@ -57,27 +69,50 @@ class Lockstep : public sim::Engine {
 
  private:
   using Change = std::function<void(sim::Engine& engine)>;
+  /// What the first engine did in a piece of the program, and the others must do.
+  struct Piece {
+    uint32_t now_ms = 0;
+    std::vector<sim::AnsweredCall> calls;
+    std::vector<sim::HostEvent> events;
+    std::vector<uint8_t> state;
+  };
+  /// A piece that another engine executes.
+  struct Followed {
+    std::shared_ptr<const Piece> piece;
+    bool has_answers = false;  // the engine has taken the answers with the changes (ExpectCalls)
+    size_t repeated = 0;       // of the calls: the engine has made them, too
+  };
+  struct Follower {
+    sim::Engine* engine;
+    uint32_t most_open = 1;
+    std::deque<Followed> open;
+  };
   /// Each engine executes a piece of the program, the first one before the others.
   void Execute(uint32_t now_ms, const Change& piece);
   /// To each engine; while a call of the first one is answered to that one only, the others follow at the same call.
   void Each(Change change);
+  void Follow(Follower& follower, Followed followed, const Change& piece);
+  void EndOldest(Follower& follower);
   sim::HostAnswer AnswerFirst(ir::HostFunctionId function, std::span<const uint64_t> arguments);
   sim::HostAnswer AnswerAgain(sim::Engine& engine, ir::HostFunctionId function, std::span<const uint64_t> arguments);
+  void TakeEventsOfFirst();
+  void Differ(std::string what, std::optional<ir::Place> place, std::string first, std::string second);
   void CallsDiffer(const sim::Engine& other, const std::string& first, const std::string& second);
-  void Compare(uint32_t now_ms);
-  void CompareEvents(sim::Engine& other, const std::vector<sim::HostEvent>& expected);
-  void CompareStates(sim::Engine& other, const std::vector<uint8_t>& expected, uint32_t now_ms);
+  /// What has been followed and what the first engine did.
+  void Compare(sim::Engine& other);
+  void CompareEvents(sim::Engine& other);
+  void CompareStates(sim::Engine& other);
 
   const ir::Program& program_;
   std::vector<std::unique_ptr<sim::Engine>> engines_;
+  std::vector<Follower> followers_;  // all but the first
   std::vector<sim::HostEvent> events_;
   sim::HostAnswers answers_;
-  std::vector<sim::AnsweredCall> calls_;  // of the piece that is being executed
-  size_t repeated_ = 0;                   // those that the engine which is executing has made, too
-  bool has_answers_ = false;              // that engine has taken the answers with the changes (ExpectCalls)
-  bool answering_ = false;                // the last one of calls_ is being answered
-  uint32_t now_ms_ = 0;
+  std::shared_ptr<Piece> piece_;  // that the first engine is executing
+  bool answering_ = false;        // its last call is being answered
+  Followed followed_;             // what another engine is executing
   std::optional<Difference> difference_;
+  bool went_on_ = false;
   ir::HostFunctionId false_fact_function_;  // none: facts are trusted
   std::optional<sim::HostEvent> false_fact_;
 };

@@ -1,6 +1,7 @@
 // One scenario from its program to its verdict.
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -31,6 +32,9 @@ namespace plcxx::scenarios {
 namespace {
 
 using Failure = std::optional<std::string>;
+
+/// Whether the compiled engines may be some periods behind the simulator.
+enum class Pace : uint8_t { kAhead, kTogether };
 
 struct Engines {
   std::unique_ptr<engines::Lockstep> lockstep;
@@ -165,9 +169,19 @@ class Test {
   }
 
   Failure RunSteps(const compilation::Compilation& compilation, const ScenarioPlan& plan) {
+    bool went_on = false;
+    const Failure failure = RunSteps(compilation, plan, Pace::kAhead, went_on);
+    if (!went_on) return failure;
+    if (monitor_) monitor_->GoOn();
+    // Once more, so that the message and the waveform end where the engines part.
+    return RunSteps(compilation, plan, Pace::kTogether, went_on);
+  }
+
+  Failure RunSteps(const compilation::Compilation& compilation, const ScenarioPlan& plan, Pace pace, bool& went_on) {
     auto made = MakeEngines(compilation);
     if (const auto* why = std::get_if<std::string>(&made)) return scenario_.path + ": " + *why;
     Engines& engines = std::get<Engines>(made);
+    if (pace == Pace::kAhead) engines.lockstep->FollowLater();
     result_.ran = std::to_string(plan.steps.size()) + (plan.steps.size() == 1 ? " step in " : " steps in ");
     for (const auto& engine : engines.lockstep->engines()) {
       result_.ran += (result_.ran.back() == ' ' ? "" : " and ") + std::string(engine->name());
@@ -185,6 +199,8 @@ class Test {
                                    .trace = options_.waveform ? &trace : nullptr,
                                    .monitor = monitor_.get(),
                                    .unmet = &unmet});
+    went_on = engines.lockstep->went_on();
+    if (went_on) return failure;
     if (engines.observed != nullptr) {
       options_.observation->executed = engines.observed->executed();
       options_.observation->stopped = engines.observed->stopped();

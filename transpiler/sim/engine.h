@@ -67,6 +67,14 @@ class Engine {
   /// are then told to `answers` without what it gives, up to as many as are in `calls`.
   virtual bool ExpectCalls(std::span<const AnsweredCall> /*calls*/) { return false; }
 
+  /// From now on a piece is only begun, and EndPiece waits for its end: so many may be open at a time, more where
+  /// asking a process costs much more than what it does. Until the last one is ended nothing is read of the engine but
+  /// what its TakeEvents and Snapshot tell behind EndPiece, and nothing is written but what ExpectCalls is given. 1: a
+  /// piece ends where it begins.
+  virtual uint32_t RunAhead() { return 1; }
+  /// Ends the oldest piece that is open: its events, and the snapshot behind it, are there.
+  virtual void EndPiece() {}
+
   /// Any place, also one that the program does not use. A write is the host's: forced bits keep their value.
   virtual uint64_t Read(const ir::Place& place) = 0;
   virtual void Write(const ir::Place& place, uint64_t value) = 0;

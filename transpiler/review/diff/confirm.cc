@@ -60,7 +60,8 @@ void ConfirmCompiled(DiffSide& old_side, DiffSide& new_side, const DiffOptions& 
   diff.not_compiled = CompileBoth(platform, {&old_side, &new_side}, programs, end);
   if (!diff.not_compiled.empty()) return;
   scenarios::SuiteOptions suite;
-  suite.simulator = false;  // it has told its part
+  suite.simulator = true;  // the code follows it from batch to batch of periods; alone it would be asked after each one
+  suite.explains = false;
   suite.platforms = {{.platform = platform}};
   const std::string path = (std::filesystem::path(options.scenario_directory) / "counterexample.yaml").string();
   Clock::duration greatest{};  // that a replay took
