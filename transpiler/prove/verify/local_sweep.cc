@@ -14,7 +14,7 @@
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/evaluate.h"
 #include "transpiler/symbolic/terms/form.h"
-#include "transpiler/symbolic/terms/random.h"
+#include "transpiler/symbolic/terms/likely_values.h"
 
 namespace plcxx::prove::verify {
 namespace {
@@ -27,7 +27,6 @@ constexpr uint32_t kLastMs = 2000;     // for the pairs themselves
 constexpr int kQuestionVectors = 64;
 constexpr uint32_t kMostBits = 10;  // of variables of which all values are tried
 constexpr size_t kMostTermsOfAllValues = 200;
-constexpr size_t kMostConstants = 4096;
 constexpr size_t kMostTermsOfForm = 2000;
 
 /// A word whose parts are known by themselves, too: cut, it would be another word than its parts are.
@@ -45,7 +44,8 @@ class LocalSweep {
         solver_(solver),
         pairs_(pairs),
         answers_(answered),
-        deadline_(solver::Clock::kProcessor, milliseconds) {}
+        deadline_(solver::Clock::kProcessor, milliseconds),
+        likely_(terms) {}
 
   std::vector<solver::TermPair> Run();
 
@@ -53,11 +53,6 @@ class LocalSweep {
   void MarkCones();
   void Simulate();
   void SimulateOnce(int vector);
-  uint64_t Sample(int vector, uint8_t width);
-  uint64_t SampleFor(int vector, terms::TermId variable);
-  /// Notes what the terms of a cone are compared with.
-  void NoteComparisons(std::span<const terms::TermId> cone);
-  void NoteComparison(terms::TermId compared, uint64_t value);
   void SweepTerm(terms::TermId id);
   bool AreEqual(terms::TermId a, terms::TermId b, std::span<const int> depths, uint32_t milliseconds);
   /// A copy of both in which what is shared, `depth` shared terms down, is a variable. None: it is too large.
@@ -86,18 +81,16 @@ class LocalSweep {
   const solver::Deadline deadline_;
   std::vector<uint8_t> sides_;
   std::vector<terms::TermId> cone_;
-  std::vector<uint64_t> constants_, signatures_, values_;
+  std::vector<uint64_t> signatures_, values_;
+  terms::LikelyValues likely_;
   std::vector<terms::TermId> representative_;
   std::vector<bool> shared_;
-  std::unordered_map<uint32_t, std::vector<uint64_t>> compared_;      // by TermId of a variable; looked up only
-  std::unordered_map<uint32_t, std::vector<uint64_t>> results_;       // by function without meaning; looked up only
   std::unordered_map<uint64_t, std::vector<terms::TermId>> classes_;  // looked up only
   std::unordered_map<uint32_t, terms::TermId> cuts_;                  // looked up only
   std::unordered_map<uint32_t, terms::TermId> copies_;                // of one question, by TermId; looked up only
   std::vector<terms::TermId> question_;                               // all terms of the last one
   std::vector<uint64_t> question_values_;                             // by TermId
   bool cut_ = false;
-  terms::Random random_{0x9E3779B97F4A7C15};
 };
 
 void LocalSweep::MarkCones() {
@@ -114,72 +107,8 @@ void LocalSweep::MarkCones() {
     const terms::TermId id(i);
     cone_.push_back(id);
     if (sides_[i] == kBoth) Share(id);
-    if (terms_.IsConst(id) && terms_.Width(id) > 1) constants_.push_back(terms_.Value(id));
   }
-  std::ranges::sort(constants_);
-  constants_.erase(std::ranges::unique(constants_).begin(), constants_.end());
-  if (constants_.size() > kMostConstants) constants_.resize(kMostConstants);
-}
-
-/// Programs ask for their constants: so they are among the samples.
-uint64_t LocalSweep::Sample(int vector, uint8_t width) {
-  const uint64_t random = random_.Next();
-  if (width == 1) {
-    const uint64_t density = vector % 4 == 0 ? 128 : vector % 4 == 1 ? 16 : vector % 4 == 2 ? 240 : 64;
-    return (random & 255) < density ? 1 : 0;
-  }
-  switch (random >> 8 & 7) {
-    case 0:
-      return 0;
-    case 1:
-      return random >> 16 & 3;
-    case 2:
-      return ~uint64_t{0} - (random >> 16 & 3);
-    case 3:
-    case 4:
-      return random_.Next();
-    default:
-      return constants_.empty() ? random : constants_[(random >> 16) % constants_.size()] + (random >> 11 & 3) - 1;
-  }
-}
-
-void LocalSweep::NoteComparison(terms::TermId compared, uint64_t value) {
-  terms::Term term = terms_[compared];
-  while (term.kind == terms::TermKind::kConcat && terms_.IsZero(terms::TermId(term.a))) {
-    compared = terms::TermId(term.b);
-    term = terms_[compared];
-  }
-  if (term.kind == terms::TermKind::kExtract) {
-    value <<= term.b;
-    compared = terms::TermId(term.a);
-    term = terms_[compared];
-  }
-  if (term.kind == terms::TermKind::kVariable) compared_[compared.index].push_back(value);
-  if (term.kind == terms::TermKind::kApply && terms_.Info(terms::FunctionId(term.a)).evaluate == nullptr)
-    results_[term.a].push_back(value);
-}
-
-void LocalSweep::NoteComparisons(std::span<const terms::TermId> cone) {
-  for (const terms::TermId id : cone) {
-    const terms::Term term = terms_[id];
-    const bool compares =
-        term.kind == terms::TermKind::kEq || term.kind == terms::TermKind::kUlt || term.kind == terms::TermKind::kSlt;
-    if (!compares) continue;
-    for (const auto& [one, other] :
-         {std::pair(terms::TermId(term.a), terms::TermId(term.b)), {terms::TermId(term.b), terms::TermId(term.a)}}) {
-      if (!terms_.IsConst(other)) continue;
-      NoteComparison(one, terms_.Value(other));
-      if (term.kind != terms::TermKind::kEq) NoteComparison(one, terms_.Value(other) - 1);
-    }
-  }
-}
-
-/// A condition that asks for one value of a word would hardly ever hold else.
-uint64_t LocalSweep::SampleFor(int vector, terms::TermId variable) {
-  const auto own = compared_.find(variable.index);
-  const uint64_t random = random_.Next();
-  if (own == compared_.end() || (random & 1) != 0) return Sample(vector, terms_.Width(variable));
-  return own->second[(random >> 1) % own->second.size()];
+  likely_.NoteConstants(cone_);
 }
 
 void LocalSweep::SimulateOnce(int vector) {
@@ -187,12 +116,8 @@ void LocalSweep::SimulateOnce(int vector) {
     const terms::Term& term = terms_[id];
     uint64_t value = terms::EvaluateTerm(
         terms_, term, [this](terms::TermId operand) { return values_[operand.index]; },
-        [&](uint32_t) { return SampleFor(vector, id); });
-    // Any function will do, if equal arguments give equal results.
-    if (term.kind == terms::TermKind::kApply && (value & 1) != 0) {
-      const auto own = results_.find(term.a);
-      if (own != results_.end()) value = terms::Masked(own->second[(value >> 1) % own->second.size()], term.width);
-    }
+        [&](uint32_t) { return likely_.Of(vector, id); });
+    if (term.kind == terms::TermKind::kApply) value = likely_.ResultOf(term, value);
     values_[id.index] = value;
     uint64_t& signature = signatures_[id.index];
     signature = (signature ^ value) * 0x9E3779B97F4A7C15;
@@ -203,7 +128,7 @@ void LocalSweep::SimulateOnce(int vector) {
 void LocalSweep::Simulate() {
   values_.assign(terms_.size(), 0);
   signatures_.assign(terms_.size(), 0);
-  NoteComparisons(cone_);
+  likely_.NoteComparisons(cone_);
   for (int vector = 0; vector < kVectors; ++vector) SimulateOnce(vector);
 }
 
@@ -284,10 +209,10 @@ solver::Answer LocalSweep::AskValues(terms::TermId condition) {
     }
     return solver::Answer::kNever;
   }
-  compared_.clear();
-  NoteComparisons(question_);
+  likely_.ForgetComparisonsOfVariables();
+  likely_.NoteComparisons(question_);
   for (int vector = 0; vector < kQuestionVectors; ++vector) {
-    if (ValueFor([&](terms::TermId variable) { return SampleFor(vector, variable); }) != 0)
+    if (ValueFor([&](terms::TermId variable) { return likely_.Of(vector, variable); }) != 0)
       return solver::Answer::kPossible;
   }
   return solver::Answer::kUnknown;

@@ -8,12 +8,14 @@
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/evaluate.h"
 #include "transpiler/symbolic/terms/form.h"
+#include "transpiler/symbolic/terms/likely_values.h"
 #include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::solver {
 namespace {
 
 constexpr int kVectors = 24;
+constexpr int kLikelyVectors = 24;
 constexpr size_t kMostCandidates = 3;          // of one class that a term is compared with
 constexpr size_t kMostTermsToRefine = 20'000;  // a counterexample is evaluated on cones up to this size
 constexpr size_t kMostTermsToSpread = 2'000'000;
@@ -36,6 +38,8 @@ class Sweeper {
   bool Simulate();
   void Refine(terms::TermId one, terms::TermId other, size_t most_terms);
   void EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable);
+  void EvaluateLikelyVector(int vector, terms::LikelyValues& likely);
+  void AddToSignature(terms::TermId id, uint64_t value);
   void SweepTerm(terms::TermId id);
   Answer Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds);
   bool Late() const { return deadline_.IsOver(); }
@@ -79,10 +83,24 @@ void Sweeper::EvaluateVector(const std::function<uint64_t(uint32_t variable, uin
     const uint64_t value = terms::EvaluateTerm(
         terms_, term, [this](terms::TermId operand) { return values_[operand.index]; },
         [&](uint32_t number) { return variable(number, term.width); });
-    values_[id.index] = value;
-    uint64_t& signature = signatures_[id.index];
-    signature = (signature ^ value) * 0x9E3779B97F4A7C15;
-    signature ^= signature >> 32;
+    AddToSignature(id, value);
+  }
+}
+
+void Sweeper::AddToSignature(terms::TermId id, uint64_t value) {
+  values_[id.index] = value;
+  uint64_t& signature = signatures_[id.index];
+  signature = (signature ^ value) * 0x9E3779B97F4A7C15;
+  signature ^= signature >> 32;
+}
+
+void Sweeper::EvaluateLikelyVector(int vector, terms::LikelyValues& likely) {
+  for (const terms::TermId id : cone_) {
+    const terms::Term& term = terms_[id];
+    const uint64_t value = terms::EvaluateTerm(
+        terms_, term, [this](terms::TermId operand) { return values_[operand.index]; },
+        [&](uint32_t) { return likely.Of(vector, id); });
+    AddToSignature(id, term.kind == terms::TermKind::kApply ? likely.ResultOf(term, value) : value);
   }
 }
 
@@ -106,6 +124,13 @@ bool Sweeper::Simulate() {
           return random_.Next();
       }
     });
+  }
+  terms::LikelyValues likely(terms_);
+  likely.NoteConstants(cone_);
+  likely.NoteComparisons(cone_);
+  for (int vector = 0; vector < kLikelyVectors; ++vector) {
+    if (Late()) return false;
+    EvaluateLikelyVector(vector, likely);
   }
   return true;
 }

@@ -1,0 +1,81 @@
+// Values that tell terms apart: what a program asks for is among them.
+#include "transpiler/symbolic/terms/likely_values.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "transpiler/symbolic/solver/sweep.h"
+
+namespace plcxx::prove {
+namespace {
+
+/// As an index into a table is checked: a base is taken off, and what is left is below the length.
+terms::TermId IsInTable(terms::Terms& terms, terms::TermId index) {
+  return terms.Ult(terms.Add(terms.Zext(index, 32), terms.Const(0xFFFFFFFF - 40'000 + 1, 32)), terms.Const(3, 32));
+}
+
+TEST(LikelyValues, AreWhatIsAskedFor) {
+  terms::Terms terms;
+  const terms::TermId index = terms.Variable("index", 16), other = terms.Variable("other", 16);
+  const std::array cone{IsInTable(terms, index)};
+  terms::LikelyValues likely(terms);
+  likely.NoteComparisons(cone);
+  int inside = 0, of_other = 0;
+  for (int vector = 0; vector < 64; ++vector) {
+    const auto is_inside = [](uint64_t value) { return value >= 40'000 && value < 40'003; };
+    inside += is_inside(terms::Masked(likely.Of(vector, index), 16)) ? 1 : 0;
+    of_other += is_inside(terms::Masked(likely.Of(vector, other), 16)) ? 1 : 0;
+  }
+  EXPECT_GE(inside, 4);
+  EXPECT_LE(of_other, 2);
+}
+
+/// Whatever a function gives instead, it stays a function, and has its width.
+TEST(LikelyValues, FunctionsStayFunctions) {
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 8);
+  const terms::TermId applied = terms.Apply(terms.Function("f", 16), {&x, 1});
+  const std::array cone{terms.Eq(applied, terms.Const(1234, 16))};
+  terms::LikelyValues likely(terms);
+  likely.NoteComparisons(cone);
+  int asked_for = 0;
+  for (uint64_t made_up = 0; made_up < 64; ++made_up) {
+    const uint64_t value = likely.ResultOf(terms[applied], made_up);
+    EXPECT_EQ(likely.ResultOf(terms[applied], made_up), value);
+    asked_for += value == 1234 ? 1 : 0;
+  }
+  EXPECT_EQ(asked_for, 32);
+}
+
+/// Counts what it is asked; knows nothing.
+class CountingSolver : public solver::Solver {
+ public:
+  void Assume(terms::TermId) override {}
+  void Push() override {}
+  void Pop() override {}
+  solver::Answer Check(std::span<const terms::TermId>, const solver::Limit&) override {
+    ++questions;
+    return solver::Answer::kUnknown;
+  }
+  uint64_t ValueOf(terms::TermId) override { return 0; }
+
+  int questions = 0;
+};
+
+/// What is 0 but for three values of an index is not taken for 0: nothing is asked of the terms inside, nor of the
+/// pair.
+TEST(LikelyValues, TermsThatDifferForFewValuesAreNoCandidates) {
+  terms::Terms terms;
+  const terms::TermId index = terms.Variable("index", 16), zero = terms.Const(0, 16);
+  const terms::TermId element = terms.Ite(IsInTable(terms, index), terms.Xor(index, terms.Const(5, 16)), zero);
+  const solver::TermPair pair{terms.Mul(element, element), zero};
+  CountingSolver counting;
+  solver::SweepLimits limits;
+  limits.any_values_count = true;
+  EXPECT_EQ(solver::Compare(terms, counting, {&pair, 1}, limits).front(), solver::Verdict::kDifferent);
+  EXPECT_EQ(counting.questions, 0);
+}
+
+}  // namespace
+}  // namespace plcxx::prove
