@@ -481,6 +481,7 @@ TEST(HncLowering, ARefusedAssignmentHasNoSecondErrorAndARefusedComparisonHas) {
   // The line of the error may end with the name, or with one that begins like it.
   EXPECT_THAT(Errors("int *p, *pq; pq = nowhere, a = (int)p\n; a = *p; a = *pq;"), ElementsAre("3 E010", "4 E050"));
   EXPECT_THAT(Errors("int *p, *pq; a = nowhere == p\n; a = *p; a = *pq;"), ElementsAre("3 E010", "4 E050", "4 E050"));
+  EXPECT_THAT(Errors("int *p, *qp; qp = nowhere; a = *p; a = *qp;"), ElementsAre("3 E010", "3 E050"));
   EXPECT_THAT(Errors("int *p, *q; p   = nowhere; a = *p; a = *q;"), ElementsAre("3 E010", "3 E050"));
 }
 

@@ -67,7 +67,7 @@ Address Pointers::PointerIn(VariableId id) {
   address.index = builder_.Load(found->second.offset);
   address.index_bounds = kAnyOffset;
   const ObjectId object = objects_.OfVariable(id);
-  if (!facts_.IsInMemory(id) && object.valid()) {
+  if (!facts_.IsInMemory(id)) {
     if (const std::optional<Bounds> known = flow_.Find({object, 0, 4})) address.index_bounds = *known;
   }
   return address;
