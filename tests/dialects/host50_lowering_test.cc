@@ -112,6 +112,11 @@ TEST(Host50Lowering, WhatNothingChangesIsComputedWhereItIsUsed) {
                           "%3 = const i32 5", "%4 = const bit 0", "%5 = const bit 0", "%6 = const bit 0",
                           "%7 = counter_pins %4 %5 %6", "%8 = step.count_ring C1 %2 %3 %7", "%9 = load I1",
                           "%10 = and.bit %9 %1", "%11 = and.bit %10 %8", "store Q0 %11"));
+  EXPECT_THAT(SlowBody("LD 1;COMP 3 > %W1;LD %I0;CNUD %C1, 5, P=0, M=0, N=0;ANB;OUT %Q0"),
+              ElementsAre("stmt C1", "%0 = load I0", "%1 = const i32 5", "%2 = const bit 0", "%3 = const bit 0",
+                          "%4 = const bit 0", "%5 = counter_pins %2 %3 %4", "%6 = step.count_ring C1 %0 %1 %5",
+                          "%7 = const bit 1", "%8 = const i32 3", "%9 = load W1", "%10 = sgt.i32 %8 %9",
+                          "%11 = and.bit %10 %6", "store Q0 %11"));
 }
 
 // covers: HOST50-094
