@@ -497,6 +497,34 @@ TEST(HncLowering, AnAddressIsAlwaysTrue) {
   EXPECT_THAT(lowered.Reported(), Not(Contains("3 W13")));
 }
 
+// covers: HNC-269
+TEST(HncLowering, AnAddressOfAPointerIsRefused) {
+  for (const char* statement : {"(*&p) = &a;", "(*&p)++;", "*(b ? &p : &q) = &a;", "(*(int **)&p)++;", "q = *&p;",
+                                "memset(&p, 0, 2);", "if (&p) a = 1;", "q = (int *)*words;", "a = **words;",
+                                "a = *((char *)words);", "a = *(*(words + 1));", "b = &p == &q;"}) {
+    LoweredProgram lowered;
+    LowerInto(lowered,
+              "#include <string.h>\n#include \"plc.h\"\nint a, b, *p = &a, *q = &b; char *const words[] = { \"on\", "
+              "\"off\" };\n"
+              "void init() { plc1_time = 16; plc2_time = 32; }\nvoid plc1() {\n" +
+                  std::string(statement) + " a = *p + *q; }\nvoid plc2() { }\n");
+    std::vector<std::string> reported = lowered.Reported();
+    std::erase_if(reported, [](const std::string& line) { return line.find(" W") != std::string::npos; });
+    EXPECT_THAT(reported, testing::AllOf(testing::Not(IsEmpty()), testing::Each("6 E050"))) << statement;
+  }
+  EXPECT_THAT(Errors("char *const words[] = { \"on\", \"off\" }; a = words[1][1]; a = *words[b & 1]; b = sizeof(&a);"),
+              IsEmpty());
+}
+
+// However many loops and switches are around its label.
+TEST(HncLowering, AJumpIntoSomethingIsRefusedOnce) {
+  for (const char* around : {"for (i = 0; i < 5; i++) { for (n = 0; n < 5; n++) { in: a = 1; } }",
+                             "switch (b) { case 1: for (n = 0; n < 5; n++) { if (b) { in: a = 1; } } }",
+                             "for (i = 0; i < 5; i++) { switch (b) { case 1: switch (c) { case 2: in: a = 1; } } }"}) {
+    EXPECT_THAT(Errors(std::string("if (a) goto in; ") + around), ElementsAre("3 E033")) << around;
+  }
+}
+
 TEST(HncLowering, ARefusedRecordIsRefusedOnce) {
   for (const char* record : {"nowhere", "*(struct s *)0x1234", "a ? r : nowhere", "(a, nowhere)", "none()"}) {
     EXPECT_THAT(

@@ -110,6 +110,12 @@ Lvalue Addresses::EvaluateLvalue(ExprId id) {
   return lvalue;
 }
 
+bool Addresses::IsPointerToPointer(const Expr& expr) const {
+  if (!expr.type.valid() || TypeAt(expr.type).kind != TypeKind::kPointer) return false;
+  const TypeId element = TypeAt(expr.type).element;
+  return element.valid() && TypeAt(element).kind == TypeKind::kPointer;
+}
+
 /// An element of F_T or G_T: the address of a word, counted in words for every T (5.3).
 Address Addresses::TableElement(const Expr& load) {
   const Expr& element = ExprAt(load.a);
@@ -129,6 +135,15 @@ Address Addresses::TableElement(const Expr& load) {
   return address;
 }
 
+/// No place is kept for it: what would be lowered loses what is assigned to it.
+Address Addresses::RefusedPointer(const Expr& expr, std::string_view why) {
+  diagnostics_.Report(expr.range, diag::HncPointerDeclaration,
+                      "'" + std::string(sources_.Text(expr.range)) + "' " + std::string(why));
+  Address refused;
+  refused.reported = true;
+  return refused;
+}
+
 Address Addresses::EvaluatePointer(ExprId id) {
   const Expr& expr = ExprAt(id);
   switch (expr.kind) {
@@ -137,11 +152,14 @@ Address Addresses::EvaluatePointer(ExprId id) {
       null.is_null = true;
       return null;
     }
-    case ExprKind::kDecay:
     case ExprKind::kAddress:
+      if (IsPointerToPointer(expr)) return RefusedPointer(expr, "is a pointer to a pointer");
+      return EvaluateLvalue(expr.a).address;
+    case ExprKind::kDecay:
       return EvaluateLvalue(expr.a).address;
     case ExprKind::kCast:
     case ExprKind::kConvert:
+      if (IsPointerToPointer(ExprAt(expr.a))) return RefusedPointer(ExprAt(expr.a), "is a pointer to a pointer");
       if (TypeAt(ExprAt(expr.a).type).kind != TypeKind::kPointer) break;
       return EvaluatePointer(expr.a);
     case ExprKind::kBinary: {
@@ -201,8 +219,8 @@ Address Addresses::EvaluatePointer(ExprId id) {
       pointers_.AddIndex(moved, step, size, down ? -1 : 1);
       after = moved;
       pointers_.StorePointer(target.variable, after);
-      const bool post = increments && (expr.increment == IncrementOp::kPostIncrement ||
-                                       expr.increment == IncrementOp::kPostDecrement);
+      const bool post =  // which an assignment is not
+          expr.increment == IncrementOp::kPostIncrement || expr.increment == IncrementOp::kPostDecrement;
       return post ? before : after;
     }
     case ExprKind::kPoison:
@@ -218,7 +236,9 @@ Address Addresses::EvaluatePointer(ExprId id) {
     case ExprKind::kMember:
       break;
   }
-  return {};
+  // Of what has been refused an error is there.
+  if (diagnostics_.HasErrors()) return {};
+  return RefusedPointer(expr, "is no variable of its own");
 }
 
 Value Addresses::ComparePointers(const Expr& expr) {

@@ -36,6 +36,8 @@ class Addresses : Context {
   Address RecordAddress(ExprId id);
 
  private:
+  bool IsPointerToPointer(const Expr& expr) const;
+  Address RefusedPointer(const Expr& expr, std::string_view why);
   Address TableElement(const Expr& load);
   Address ConditionalAddress(const Expr& expr, Address (Addresses::*evaluate)(ExprId));
 
