@@ -143,8 +143,8 @@ TEST(Host50Lowering, EdgesOfOneOperandAreNamedByTheirStatements) {
 TEST(Host50Lowering, StatementsAreRungsWithTheirComments) {
   LoweredProgram lowered;
   LowerInto(lowered, {"; above the part\nSLOW ; on its line\n; above the network\nNETWORK L7 \"pump\"\n  ; above\n"
-                      "  LD %I0 ; start\n  OUT %Q0 ; pump\n  REMARK \"a remark\"\n  LD %I1\n  REMARK inside\n"
-                      "  OUT %Q1\n; last\nEND_SLOW\n"});
+                      "  LD %I0 ; start\n  OUT %Q0 ; pump \t\n  REMARK \"a remark\"\n  LD %I1\n  REMARK inside\n"
+                      "  OUT %Q1\t \n; last\nEND_SLOW\n"});
   const auto& statements = lowered.program.statements;
   ASSERT_EQ(statements.size(), 3u);
   const auto comments = [&](uint32_t index) {
