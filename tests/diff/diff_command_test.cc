@@ -86,7 +86,7 @@ TEST_F(DiffCommand, RevisionsTakeTheOptionsOfTheirScenarios) {
       "'s/slices: 2/slices: 4/' old/a.yaml";
   ASSERT_EQ(std::system(commands.c_str()), 0);
   place_.Write("old/door.plc", "$\nU4A0=I0A0*/I0A1\nU4A1=I0A1\nU4A2=I0A2\nU4A3=I0A3\n");
-  const Ran ran = place_.Run("diff --git HEAD.. old/door.plc");
+  const Ran ran = place_.Run("diff --git HEAD.. old/door.plc --time 5s");
   EXPECT_EQ(ran.code, 1) << ran;
   EXPECT_THAT(ran.out, HasSubstr("slices"));
 }

@@ -188,6 +188,9 @@ TEST(ScenarioReader, WhatIsNotYaml) {
   EXPECT_THAT(Errors("- a\n"), ElementsAre("s.yaml:1:1: a scenario is a map '{key: value}'"));
   EXPECT_THAT(Errors("a: 1\n---\nb: 1\n"), ElementsAre("s.yaml:2:1: the file holds more than one YAML document"));
   EXPECT_THAT(Errors("steps: [\n"), ElementsAre(testing::StartsWith("s.yaml:2:1: not YAML: ")));
+  EXPECT_THAT(Errors("steps:\n- run: ms: 10\n"),
+              ElementsAre("s.yaml:2:10: not YAML: illegal map value; a map in a line of another one stands in braces: "
+                          "'run: {ms: 10}'"));
   EXPECT_THAT(Errors("steps: *nowhere\n"), ElementsAre(testing::StartsWith("s.yaml:1:")));
   EXPECT_THAT(Errors(std::string(100000, '[')), ElementsAre(testing::StartsWith("s.yaml:1:")));
 }
@@ -197,6 +200,9 @@ TEST(ScenarioReader, FilesThatCannotBeRead) {
     return std::get<std::vector<ScenarioError>>(ReadScenario(path)).at(0).message;
   };
   EXPECT_EQ(error("/nowhere/s.yaml"), "there is no such file");
+  EXPECT_EQ(
+      std::get<std::vector<ScenarioError>>(ReadScenario(PLCXX_ROOT "/samples/host50/ck6150/ck6150.il")).at(0).remedy,
+      "a scenario is a file in YAML that names its program in 'sources' (docs/scenarios.md)");
   EXPECT_EQ(error("/"), "a directory: name the file in it that is the scenario");
   EXPECT_EQ(error("/dev/null"), "not a file, but a device or a pipe");
 }

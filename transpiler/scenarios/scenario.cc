@@ -21,6 +21,13 @@ std::vector<ScenarioError> Refuse(const std::string& path, ScenarioMark mark, st
   return {ScenarioError{path, mark, std::move(message)}};
 }
 
+/// What most often is given in the place of a scenario is a source file. Nothing for what is YAML by its name.
+std::string WhatAScenarioIs(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".yaml" || ending == ".yml" || ending == ".json") return {};
+  return "a scenario is a file in YAML that names its program in 'sources' (docs/scenarios.md)";
+}
+
 /// What the word of `plant:` names.
 std::vector<ScenarioError> TakePlant(const MarkedText& word, Scenario& scenario) {
   std::string path = (std::filesystem::path(scenario.directory) / word.text).lexically_normal().generic_string();
@@ -50,7 +57,10 @@ std::vector<ScenarioError> TakePlant(const MarkedText& word, Scenario& scenario)
 ScenarioOrErrors ReadScenario(const std::string& path, Reach reach) {
   std::variant<std::string, yaml::Fault> text = yaml::ReadText(path, kMaxBytes, "scenario");
   if (auto* fault = std::get_if<yaml::Fault>(&text)) return Refuse(path, fault->mark, std::move(fault->message));
-  return ParseScenario(path, std::get<std::string>(text), reach);
+  ScenarioOrErrors read = ParseScenario(path, std::get<std::string>(text), reach);
+  if (auto* const errors = std::get_if<std::vector<ScenarioError>>(&read); errors && errors->front().remedy.empty())
+    errors->front().remedy = WhatAScenarioIs(path);
+  return read;
 }
 
 ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text, Reach reach) {

@@ -77,6 +77,20 @@ std::string QuotesMissing(const std::string& text, uint32_t number) {
   return {};
 }
 
+/// "- run: ms: 10", a map in the line of another one: how that is written. After the parser's message, or nothing.
+std::string BracesMissing(const std::string& text, uint32_t number) {
+  std::istringstream lines(text);
+  std::string line;
+  for (uint32_t i = 0; i < number; ++i) std::getline(lines, line);
+  constexpr std::string_view kColon = ": ";
+  const size_t first = line.find(kColon);
+  const size_t second = first == std::string::npos ? first : line.find(kColon, first + 1);
+  if (second == std::string::npos || line.find_first_of("{[\"'#") != std::string::npos) return {};
+  const size_t key = line.find_first_not_of(" -");
+  return "; a map in a line of another one stands in braces: '" + line.substr(key, first - key) + ": {" +
+         line.substr(first + kColon.size()) + "}'";
+}
+
 }  // namespace
 
 std::variant<YAML::Node, Fault> Load(const std::string& text) {
@@ -88,7 +102,7 @@ std::variant<YAML::Node, Fault> Load(const std::string& text) {
     const bool placed = !fault.mark.is_null();
     const auto line = static_cast<uint32_t>(placed ? fault.mark.line + 1 : 0);
     const auto column = static_cast<uint32_t>(placed ? fault.mark.column + 1 : 0);
-    return Fault{{line, column}, "not YAML: " + fault.msg + QuotesMissing(text, line)};
+    return Fault{{line, column}, "not YAML: " + fault.msg + QuotesMissing(text, line) + BracesMissing(text, line)};
   }
 }
 
