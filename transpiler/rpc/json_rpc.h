@@ -43,12 +43,12 @@ std::string TextOf(const Json& object, const char* key);
 int64_t NumberOf(const Json& object, const char* key);
 const Json& ObjectOf(const Json& object, const char* key);
 const Json& ArrayOf(const Json& object, const char* key);
-/// None: there is no such member, or it is null; a wrong type is an error.
 /// As it is sent.
 std::string Written(const Json& value);
 /// A text as it is sent, without making a value of it.
 std::string Quoted(std::string_view text);
 
+/// None: there is no such member, or it is null; a wrong type is an error.
 std::optional<std::string> OptionalText(const Json& object, const char* key);
 std::optional<int64_t> OptionalNumber(const Json& object, const char* key);
 std::optional<bool> OptionalFlag(const Json& object, const char* key);
