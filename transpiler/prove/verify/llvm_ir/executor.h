@@ -28,7 +28,7 @@ class Executor {
         poison_(execution_, values_, memory_),
         instructions_(execution_, values_, memory_, addresses_, poison_, flow_),
         flow_(execution_, values_, memory_, poison_, instructions_, loops_),
-        loops_(execution_, values_, memory_, poison_, flow_) {}
+        loops_(execution_, memory_, poison_, flow_) {}
   Executor(const Executor&) = delete;
   Executor& operator=(const Executor&) = delete;
 

@@ -16,8 +16,8 @@ namespace plcxx::prove::verify::llvm_ir {
 
 class LoopExecution : private ExecutionPart {
  public:
-  LoopExecution(Execution& execution, CodeValues& values, ObjectMemory& memory, Poison& poison, FlowExecution& flow)
-      : ExecutionPart(execution), values_(values), memory_(memory), poison_(poison), flow_(flow) {}
+  LoopExecution(Execution& execution, ObjectMemory& memory, Poison& poison, FlowExecution& flow)
+      : ExecutionPart(execution), memory_(memory), poison_(poison), flow_(flow) {}
 
   void RunLoop(const FlowLevel& level, Passage entry, terms::TermId context, std::vector<Passage>& leaving);
 
@@ -45,7 +45,6 @@ class LoopExecution : private ExecutionPart {
   void RequireAtHead(const LoopState& state, const Passage& passage, terms::TermId when);
   std::vector<terms::TermId> ItemsOf(const Passage& passage, const LoopState& state);
 
-  CodeValues& values_;
   ObjectMemory& memory_;
   Poison& poison_;
   FlowExecution& flow_;
