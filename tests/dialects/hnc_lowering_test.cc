@@ -96,6 +96,23 @@ TEST(HncLowering, LoopsAreProvedOrRefused) {
   }
 }
 
+// How often such a loop goes round nobody knows; its own error is the cause.
+TEST(HncLowering, OfALoopInWhichSomethingIsWrongNothingElseIsSaid) {
+  const auto reported = [](const std::string& loop) {
+    LoweredProgram lowered;
+    LowerInto(lowered, WithStatements(loop + " Y[0] = (unsigned char)(a + b + u + l + c + table[0] + i + n);"));
+    std::vector<std::string> lines = lowered.Reported();
+    std::erase_if(
+        lines, [](const std::string& line) { return !line.ends_with("W7") && line.find(" E") == std::string::npos; });
+    return lines;
+  };
+  EXPECT_THAT(reported("for (i = 0; i < 4; k++) a++;"), ElementsAre("3 E010"));
+  EXPECT_THAT(reported("for (int k = 0; k < 4; k++) a++;"), ElementsAre("3 E054"));
+  EXPECT_THAT(reported("for (i = 0; i < 4;) i += k;"), ElementsAre("3 E010"));
+  EXPECT_THAT(reported("a = k; for (i = 0; i < 4;) a++;"), ElementsAre("3 E010", "3 E032"));
+  EXPECT_THAT(reported("a = k; for (i = 0; i < 30000; i++) a++;"), ElementsAre("3 E010", "3 W7"));
+}
+
 TEST(HncLowering, FactsAreExecutedWhereTheyAreAskedFor) {
   const std::string text =
       "#include \"plc.h\"\nint table[8], n;\nvoid init() { plc1_time = 16; plc2_time = 16; }\n"

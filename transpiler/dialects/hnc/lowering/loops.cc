@@ -41,6 +41,14 @@ bool IsSingleStore(const ir::Program& program, ir::RegionId region) {
 
 }  // namespace
 
+/// What Clang refuses as a whole is not in the tree: how often the loop goes round is then not known for that.
+bool Loops::HasError(const Statement& statement) const {
+  return std::ranges::any_of(diagnostics_.all(), [&statement](const diag::Diagnostic& diagnostic) {
+    return diagnostic.severity == diag::Severity::kError && diagnostic.range.begin >= statement.range.begin &&
+           diagnostic.range.begin < statement.range.end;
+  });
+}
+
 void Loops::CheckRounds(source::Range keyword, uint64_t rounds) {
   const uint64_t all = rounds_around_ * rounds;
   if (all > kMostRounds) {
@@ -94,12 +102,14 @@ void Loops::Iterations(const Statement& statement, uint32_t on_continue, bool le
                                 .body = {statement.then},
                                 .tests_first = !is_do},
                                refusal);
-    if (!proof && !leaves) diagnostics_.Report(statement.keyword, diag::HncUnboundedLoop, refusal.why);
+    if (!proof && !leaves && !HasError(statement))
+      diagnostics_.Report(statement.keyword, diag::HncUnboundedLoop, refusal.why);
   }
   const uint64_t rounds = std::max<uint64_t>(1, statement.loop_bound ? statement.loop_bound->rounds
                                                 : proof              ? proof->count.iterations
                                                                      : 1);
-  if (statement.loop_bound || proof) CheckRounds(statement.keyword, rounds);
+  const bool is_long = rounds_around_ * rounds > settings_.loop_warn;
+  if (statement.loop_bound || (proof && is_long && !HasError(statement))) CheckRounds(statement.keyword, rounds);
   // A counter or a limit in memory may be forced from outside: then the rounds are counted all the same.
   const bool counts =
       statement.loop_bound || (proof && (proof->rests_on_memory || !intervals_.IsLocalObject(proof->counter.object)));

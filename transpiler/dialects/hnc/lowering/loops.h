@@ -37,6 +37,7 @@ class Loops : Context {
   const std::vector<ir::RegionId>& iterated() const { return iterated_; }
 
  private:
+  bool HasError(const Statement& statement) const;
   void ConditionRegion(ExprId id, ir::RegionId region);
   /// `leaves`: every path of its body leaves it, so that there is one iteration at most.
   void Iterations(const Statement& statement, uint32_t on_continue, bool leaves);
