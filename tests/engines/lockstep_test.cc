@@ -217,7 +217,7 @@ TEST(LockstepBehind, WhoFollowsLaterIsToldAndDoesTheSame) {
   bench.lockstep->FollowLater();
   bench.lockstep->PowerOn();
   for (uint32_t period = 1; period <= 300; ++period) bench.lockstep->RunPeriod(10 * period);
-  bench.lockstep->EndPieces();
+  bench.lockstep->CatchUp();
   EXPECT_EQ(bench.Difference(), "none");
   EXPECT_EQ(bench.asked.size(), 601u);
   for (uint32_t place = 0; place < 4; ++place) EXPECT_EQ(bench.Get(place, 0), bench.Get(place, 1)) << place;
@@ -254,7 +254,7 @@ TEST(LockstepBehind, ADifferenceHasTheMomentAtWhichItCame) {
     if (later) bench.lockstep->FollowLater();
     bench.lockstep->PowerOn();
     for (uint32_t period = 1; period <= 20; ++period) bench.lockstep->RunPeriod(10 * period);
-    bench.lockstep->EndPieces();
+    bench.lockstep->CatchUp();
     ASSERT_TRUE(bench.lockstep->difference());
     EXPECT_EQ(bench.lockstep->difference()->now_ms, 60u);
     EXPECT_EQ(bench.lockstep->went_on(), later);
@@ -273,7 +273,7 @@ TEST(LockstepBehind, WhatIsWrittenWaitsForThePeriodsBefore) {
     if (period % 7 == 0) bench.lockstep->Write(unused, period);
     if (period % 9 == 0) bench.lockstep->Write(bench.program.places[ir::PlaceId(0)], period);
   }
-  bench.lockstep->EndPieces();
+  bench.lockstep->CatchUp();
   EXPECT_EQ(bench.Difference(), "none");
   EXPECT_EQ(bench.lockstep->engines()[1]->Read(unused), 49u);
   EXPECT_EQ(bench.Get(0, 1), 50u);
@@ -288,7 +288,7 @@ TEST(LockstepBehind, CallsThatNobodyExpectedEndInADifference) {
     bench.lockstep->FollowLater();
     bench.lockstep->PowerOn();
     for (uint32_t period = 1; period <= 5; ++period) bench.lockstep->RunPeriod(10 * period);
-    bench.lockstep->EndPieces();
+    bench.lockstep->CatchUp();
     EXPECT_EQ(bench.Difference(), "the host calls");
     EXPECT_EQ(bench.lockstep->difference()->now_ms, 10u);
   }

@@ -43,7 +43,7 @@ void Lockstep::FollowLater() {
   for (Follower& follower : followers_) follower.most_open = follower.engine->RunAhead();
 }
 
-void Lockstep::EndPieces() {
+void Lockstep::CatchUp() {
   for (Follower& follower : followers_) {
     while (!follower.open.empty()) EndOldest(follower);
   }
@@ -98,7 +98,7 @@ void Lockstep::Each(Change change) {
     piece_->calls.back().changes.push_back(std::move(change));
     return;
   }
-  EndPieces();
+  CatchUp();
   for (const auto& engine : engines_) change(*engine);
 }
 
@@ -144,7 +144,7 @@ sim::HostAnswer Lockstep::AnswerAgain(sim::Engine& engine, ir::HostFunctionId fu
 
 void Lockstep::Differ(std::string what, std::optional<ir::Place> place, std::string first, std::string second) {
   if (difference_) return;
-  difference_ = {std::move(what), place, std::move(first), std::move(second), followed_.piece->now_ms};
+  difference_ = {std::move(what), std::move(place), std::move(first), std::move(second), followed_.piece->now_ms};
   went_on_ = followed_.piece != piece_;
 }
 
@@ -153,7 +153,7 @@ void Lockstep::CallsDiffer(const sim::Engine& other, const std::string& first, c
 }
 
 void Lockstep::PowerOn() {
-  EndPieces();
+  CatchUp();
   Execute(0, [](sim::Engine& engine) { engine.PowerOn(); });
 }
 

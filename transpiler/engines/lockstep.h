@@ -35,13 +35,13 @@ class Lockstep : public sim::Engine {
   Lockstep(const ir::Program& program, std::vector<std::unique_ptr<sim::Engine>> engines);
 
   /// From now on the others may be some pieces behind the first one, which saves most of the time of those in processes
-  /// of their own. They have caught up, and differences are known, behind EndPieces, and whenever something is written.
+  /// of their own. They have caught up, and differences are known, behind CatchUp, and whenever something is written.
   void FollowLater();
-  void EndPieces();
+  void CatchUp();
 
   /// They have caught up.
   const std::vector<std::unique_ptr<sim::Engine>>& engines() {
-    EndPieces();
+    CatchUp();
     return engines_;
   }
   /// The first one since the beginning; stays.

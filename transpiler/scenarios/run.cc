@@ -49,7 +49,7 @@ class Runner {
     for (const PlannedStep& step : run_.plan.steps) {
       step_ = &step;
       Verdict verdict = std::visit([this](const auto& action) { return Do(action); }, step.written->action);
-      run_.engines.EndPieces();
+      run_.engines.CatchUp();
       // A difference explains a wrong value, so it is told first.
       if (run_.engines.difference()) return Differ(*run_.engines.difference());
       if (const Verdict false_fact = FindFalseFact()) return false_fact;
