@@ -99,13 +99,12 @@ class Machine {
   const std::map<std::string, uint64_t>& Calls() {
     for (const sim::HostEvent& event : simulator_.TakeEvents()) {
       if (event.exchange) continue;
-      uint64_t& calls = calls_[program_.host_functions[event.function].name];
+      Asked& own = functions_[event.function.index];
+      if (own.calls == nullptr) own.calls = &calls_[program_.host_functions[event.function].name];
+      uint64_t& calls = *own.calls;
       for (const uint64_t argument : event.arguments) calls = Mixed(calls, argument);
       calls = Mixed(calls, 1);
-      if (!is_ordered_[event.function.index]) continue;
-      uint64_t& all = calls_[""];
-      for (const char c : program_.host_functions[event.function].name) all = Mixed(all, static_cast<unsigned char>(c));
-      all = Mixed(all, calls);
+      if (is_ordered_[event.function.index]) *in_order_ = Mixed(Mixed(*in_order_, own.name), calls);
     }
     return calls_;
   }
@@ -141,10 +140,12 @@ class Machine {
     uint64_t name = 0, asked = 0;
     std::vector<uint32_t> sees;  // indices of watched_
     std::vector<uint64_t> seen;  // see SeenBy
+    uint64_t* calls = nullptr;   // of calls_; a program may call millions of times
   };
   std::vector<Asked> functions_;  // by HostFunctionId
   uint64_t asked_in_order_ = 0;
   std::map<std::string, uint64_t> calls_;
+  uint64_t* in_order_ = &calls_[""];
   std::vector<ir::Place> watched_;
 };
 

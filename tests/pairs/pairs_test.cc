@@ -42,6 +42,25 @@ INSTANTIATE_TEST_SUITE_P(Dialects, RandomPairs,
                          testing::Values("nc110", "technol", "host50", "prostep", "hnc", "classicladder"),
                          [](const auto& named) { return std::string(named.param); });
 
+/// Behind `O` stands a comment here: it opens what is ORed, and is no operation that commutes with its neighbours.
+TEST(Pairs, AnOWithoutAnOperandStaysWhereItIs) {
+  const std::string marked = ":O\t* remark", unmarked = ":O oil level";
+  const std::string text =
+      ":A I 0.0\n:ON I 0.1\n" + marked + "\n:ON I 0.2\n" + unmarked + "\n:ON I 0.3\n:= O 0.0\n:EM\n";
+  const ProgramText program{.dialect = "prostep", .sources = {"a.plc"}, .files = {{"a.plc", text}}};
+  int others = 0;
+  for (uint64_t seed = 0; seed < 60; ++seed) {
+    terms::Random random(seed);
+    const std::string written = Rewritten(program, random).new_program.files.at("a.plc");
+    const auto at = [&written](const std::string& line) { return written.find(line); };
+    EXPECT_TRUE(at(":ON I 0.1") < at(marked) && at(marked) < at(":ON I 0.2") && at(":ON I 0.2") < at(unmarked) &&
+                at(unmarked) < at(":ON I 0.3"))
+        << written;
+    others += written != text ? 1 : 0;
+  }
+  EXPECT_GT(others, 0);
+}
+
 /// The same seed makes the same pair, everywhere.
 TEST(Pairs, FollowFromTheirSeeds) {
   for (const char* const dialect : {"nc110", "technol", "host50", "prostep", "hnc", "classicladder"}) {

@@ -62,6 +62,19 @@ bool Commute(const std::string& dialect, const std::string& one, const std::stri
   return group(one) != 0 && group(one) == group(other);
 }
 
+/// What stands behind `O` may be a comment in prostep, with a mark or without one: an operand is one or two letters and
+/// a number.
+bool HasOperand(const std::string& dialect, const Instruction& instruction) {
+  const std::string& operand = instruction.operand;
+  if (dialect != "prostep") return !operand.empty();
+  size_t letters = 0;
+  while (letters < operand.size() && std::isalpha(static_cast<unsigned char>(operand[letters])) != 0) ++letters;
+  size_t digit = letters;
+  while (digit < operand.size() && IsBlank(operand[digit])) ++digit;
+  return letters >= 1 && letters <= 2 && digit < operand.size() &&
+         std::isdigit(static_cast<unsigned char>(operand[digit])) != 0;
+}
+
 /// "P 2.0" of prostep asks the port itself: the control sees the order.
 bool AsksPort(const std::string& dialect, const Instruction& instruction) {
   return dialect == "prostep" && instruction.operand.starts_with('P');
@@ -74,7 +87,8 @@ bool SwapOperations(ProgramText& program, Random& random, std::string& what) {
   std::vector<size_t> places;
   for (size_t i = 0; i + 1 < lines.size(); ++i) {
     const Instruction one = Cut(lines[i]), other = Cut(lines[i + 1]);
-    if (one.operand.empty() || other.operand.empty() || !Commute(program.dialect, one.word, other.word)) continue;
+    if (!HasOperand(program.dialect, one) || !HasOperand(program.dialect, other)) continue;
+    if (!Commute(program.dialect, one.word, other.word)) continue;
     if (AsksPort(program.dialect, one) && AsksPort(program.dialect, other)) continue;
     // A label belongs to its place.
     if (one.text() != other.text()) places.push_back(i);
