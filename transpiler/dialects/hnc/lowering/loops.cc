@@ -41,8 +41,11 @@ bool IsSingleStore(const ir::Program& program, ir::RegionId region) {
 
 }  // namespace
 
-/// What Clang refuses as a whole is not in the tree: how often the loop goes round is then not known for that.
+/// Whether something that was refused may be why it is not known how often the loop goes round: what Clang refuses as
+/// a whole is not in the tree.
 bool Loops::HasError(const Statement& statement) const {
+  const bool asks = statement.expression.valid() && ConstantCondition(unit_, statement.expression) != true;
+  if (!asks) return false;  // it is endless, whatever is wrong in it
   return std::ranges::any_of(diagnostics_.all(), [&statement](const diag::Diagnostic& diagnostic) {
     return diagnostic.severity == diag::Severity::kError && diagnostic.range.begin >= statement.range.begin &&
            diagnostic.range.begin < statement.range.end;
