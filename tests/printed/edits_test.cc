@@ -17,7 +17,7 @@ namespace {
 
 const fs::path kProject = PLCXX_ROOT;
 const fs::path kKept = kProject / "tests/printed/edits.txt";
-constexpr size_t kEditsOfC = 8, kEditsOfLines = 8;
+constexpr size_t kEdits = 8;
 constexpr Phase kSaid{"said", SaidOf, ""};
 
 class Edits : public testing::TestWithParam<HashRow> {};
@@ -32,7 +32,7 @@ TEST_P(Edits, AreAsKept) {
     return EditOf(text, is_c ? Writing::kC : Writing::kLines, support::HashOf64(path) + number);
   };
   HashRow now{path, {}};
-  for (size_t number = 0; number < (is_c ? kEditsOfC : kEditsOfLines); ++number) {
+  for (size_t number = 0; number < kEdits; ++number) {
     Input edited = *input;
     edited.request.texts[name] = Edited(text, edit(number));
     const std::string said = OwnTextOf(kSaid, edited);

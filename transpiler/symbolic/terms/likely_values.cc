@@ -4,19 +4,15 @@
 #include <utility>
 
 namespace plcxx::terms {
-namespace {
 
-constexpr size_t kMostLikelyConstants = 4096;
-
-}  // namespace
-
-void LikelyValues::NoteConstants(std::span<const TermId> cone) {
+void AddConstants(const Terms& terms, std::span<const TermId> cone, std::vector<uint64_t>& constants) {
+  constexpr size_t kMost = 4096;
   for (const TermId id : cone) {
-    if (terms_.IsConst(id) && terms_.Width(id) > 1) constants_.push_back(terms_.Value(id));
+    if (terms.IsConst(id) && terms.Width(id) > 1) constants.push_back(terms.Value(id));
   }
-  std::ranges::sort(constants_);
-  constants_.erase(std::ranges::unique(constants_).begin(), constants_.end());
-  if (constants_.size() > kMostLikelyConstants) constants_.resize(kMostLikelyConstants);
+  std::ranges::sort(constants);
+  constants.erase(std::ranges::unique(constants).begin(), constants.end());
+  if (constants.size() > kMost) constants.resize(kMost);
 }
 
 void LikelyValues::NoteComparison(TermId compared, uint64_t value) {

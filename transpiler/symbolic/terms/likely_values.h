@@ -14,12 +14,15 @@
 
 namespace plcxx::terms {
 
+/// Adds the constants of these terms that are wider than a bit; the values stay ascending, each once, and not too many.
+void AddConstants(const Terms& terms, std::span<const TermId> cone, std::vector<uint64_t>& constants);
+
 class LikelyValues {
  public:
   explicit LikelyValues(const Terms& terms) : terms_(terms) {}
 
   /// From now on the constants of these terms are likely.
-  void NoteConstants(std::span<const TermId> cone);
+  void NoteConstants(std::span<const TermId> cone) { AddConstants(terms_, cone, constants_); }
   /// From now on variables and results of functions are likely what these terms compare them with.
   void NoteComparisons(std::span<const TermId> cone);
   void ForgetComparisonsOfVariables() { compared_.clear(); }

@@ -1,26 +1,12 @@
 #include "transpiler/symbolic/terms/samples.h"
 
-#include <algorithm>
-
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/evaluate.h"
+#include "transpiler/symbolic/terms/likely_values.h"
 #include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::terms {
 namespace {
-
-constexpr size_t kMostConstants = 4096;
-
-std::vector<uint64_t> ConstantsOf(const Terms& terms, std::span<const TermId> cone) {
-  std::vector<uint64_t> constants;
-  for (const TermId id : cone) {
-    if (terms.IsConst(id) && terms.Width(id) > 1) constants.push_back(terms.Value(id));
-  }
-  std::ranges::sort(constants);
-  constants.erase(std::ranges::unique(constants).begin(), constants.end());
-  if (constants.size() > kMostConstants) constants.resize(kMostConstants);
-  return constants;
-}
 
 uint64_t OneValue(Random& random, uint32_t sample, uint8_t width, std::span<const uint64_t> constants) {
   const uint64_t next = random.Next();
@@ -47,7 +33,8 @@ uint64_t OneValue(Random& random, uint32_t sample, uint8_t width, std::span<cons
 
 std::vector<std::vector<uint64_t>> SampleValues(const Terms& terms, std::span<const TermId> roots, uint32_t samples) {
   const std::vector<TermId> cone = ConeOf(terms, roots);
-  const std::vector<uint64_t> constants = ConstantsOf(terms, cone);
+  std::vector<uint64_t> constants;
+  AddConstants(terms, cone, constants);
   Random random(0x9E3779B97F4A7C15);
   std::vector<uint64_t> values(terms.size());
   std::vector<std::vector<uint64_t>> result;

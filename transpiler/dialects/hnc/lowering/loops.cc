@@ -52,11 +52,13 @@ bool Loops::HasError(const Statement& statement) const {
   });
 }
 
-void Loops::CheckRounds(source::Range keyword, uint64_t rounds) {
+void Loops::CheckRounds(source::Range keyword, uint64_t rounds, const Statement* proved) {
   const uint64_t all = rounds_around_ * rounds;
+  if (all <= std::min<uint64_t>(settings_.loop_warn, kMostRounds)) return;
+  if (proved != nullptr && HasError(*proved)) return;
   if (all > kMostRounds) {
     diagnostics_.Report(keyword, diag::HncLoopRounds, static_cast<int64_t>(all), static_cast<int64_t>(kMostRounds));
-  } else if (all > settings_.loop_warn) {
+  } else {
     diagnostics_.Report(keyword, diag::HncLongLoop, static_cast<int64_t>(all));
   }
 }
@@ -111,8 +113,7 @@ void Loops::Iterations(const Statement& statement, uint32_t on_continue, bool le
   const uint64_t rounds = std::max<uint64_t>(1, statement.loop_bound ? statement.loop_bound->rounds
                                                 : proof              ? proof->count.iterations
                                                                      : 1);
-  const bool is_long = rounds_around_ * rounds > settings_.loop_warn;
-  if (statement.loop_bound || (proof && is_long && !HasError(statement))) CheckRounds(statement.keyword, rounds);
+  if (statement.loop_bound || proof) CheckRounds(statement.keyword, rounds, proof ? &statement : nullptr);
   // A counter or a limit in memory may be forced from outside: then the rounds are counted all the same.
   const bool counts =
       statement.loop_bound || (proof && (proof->rests_on_memory || !intervals_.IsLocalObject(proof->counter.object)));

@@ -31,7 +31,8 @@ class Loops : Context {
         expressions_(expressions),
         statements_(statements) {}
 
-  void CheckRounds(source::Range keyword, uint64_t rounds);
+  /// `proved`: the loop whose rounds were found; of one that has an error nothing is said.
+  void CheckRounds(source::Range keyword, uint64_t rounds, const Statement* proved = nullptr);
   void Lower(const Statement& statement);
   /// Where what is executed in each iteration of the loops around begins.
   const std::vector<ir::RegionId>& iterated() const { return iterated_; }
