@@ -108,13 +108,13 @@ TEST(Temporaries, AValueUsedVeryOftenGetsANameAsWell) {
     std::string body = "%0 = load a\n%1 = load b\n%2 = and.bit %0 %1\n";
     for (uint32_t i = 0; i < uses; ++i) body += i % 2 == 0 ? "store c %2\n" : "store d %2\n";
     EXPECT_THAT(Print(body).source, HasSubstr("  const bool t1 = m[a] & m[b];\n  m[c] = t1;\n  m[d] = t1;\n")) << uses;
-    // In one expression, where nothing is stored between them.
+    // In one expression, where nothing is stored between them; a long one is cut (kMostOperations).
     std::string once = "%0 = load a\n%1 = load b\n%2 = and.bit %0 %1\n%3 = load c\n";
     for (uint32_t i = 0; i < uses; ++i) {
       once += "%" + std::to_string(i + 4) + " = or.bit %" + std::to_string(i + 3) + " %2\n";
     }
     EXPECT_THAT(Print(once + "store d %" + std::to_string(uses + 3) + "\n").source,
-                HasSubstr("  const bool t1 = m[a] & m[b];\n  m[d] = m[c] | t1 | t1"))
+                HasSubstr("  const bool t1 = m[a] & m[b];\n  const bool t2 = m[c] | t1 | t1"))
         << uses;
   }
 }

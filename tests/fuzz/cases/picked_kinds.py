@@ -16,6 +16,10 @@ def hnc(text):
                       "".join(text.replace("@", str(i % 100)) + "\n" for i in range(n)) + "}\n")
 
 
+def hnc_expression(text):
+    return lambda n: hnc(text)(n).replace("plc1(void) {\n", "plc1(void) {\ni = X[0]\n").replace("\n}\n", ";\n}\n")
+
+
 def numbered(text):
     """With names of its own in each line."""
     return lambda n: (HNC + "void plc2(void) {}\nvoid plc1(void) {\n" +
@@ -74,6 +78,7 @@ KINDS = {
         "timer": nc110("T{k}I(5)=I{a}A{b}"),
         "mux": nc110("W{a}K{c}=MUX(W1K0,W1K1),(I0A0,I0A1)"),
         "comment": nc110("; text {k}\nU{a}A{b}=I{a}A{b}"),
+        "one-expression": lambda n: "U0A0=I0A0" + "*I1A1+I2A2" * (min(n, 1000) // 2) + "\n$\n",
         "wrong-word": nc110("U{a}A{b}=NOSUCH{k}"),
         "wrong-unclosed": nc110("U{a}A{b}=(I0A0"),
     }),
@@ -81,12 +86,15 @@ KINDS = {
         "rung": host50("LD %I1\nAND %B{b}\nOUT %B{b}\n"),
         "word": host50("LD %I1\nMOV %W{w}, %W1\n"),
         "operation": host50("LD %I1\nOPRT %W{w} = %W1 + 1\n"),
+        "one-expression": lambda n: host50("AND %I{b}\nOR %B{w}\n")(n // 2)
+                          .replace("NETWORK\n", "NETWORK\nLD 1\n").replace("END_SLOW", "OUT %B0\nEND_SLOW"),
         "wrong-word": host50("LD %I1\nNOSUCH %W{w}\n"),
         "subroutine": lambda n: ("SLOW\nNETWORK\nLD 1\n" + "".join(f"CALL SR{i % 90}\n" for i in range(n)) + "END_SLOW\n" +
                                  "".join(f"SUB SR{i}\nNETWORK\nLD %I1\nOUT %B{i}\nEND_SUB\n" for i in range(90))),
     }),
     "prostep": (".plc", {
         "bit": prostep(":A I {a}.{b}\n:= O {a}.{b}\n"),
+        "one-expression": lambda n: prostep(":A I {a}.{b}\n:O O {a}.{b}\n")(n // 2).replace(":END", ":= O 0.0\n:END"),
         "wrong-word": prostep(":NOSUCH I {a}.{b}\n"),
         "branch": lambda n: (":MOD PM 1\n" + "".join(f":A I 0.0\n:JC L{i:03X}\n:A I {i % 64}.1\n:= O {i % 64}.1\nL{i:03X} :A I 0.1\n"
                                                     f":S O 1.1\n" for i in range(min(n, 4096))) + ":END PM 1\n"),
@@ -98,6 +106,8 @@ KINDS = {
         "macro": lambda n: ("M MACRO X\n LDR X\n WR B\nENDM\n" + technol(" M A\n")(n)),
         "data": lambda n: (" DATA\nF: DFM A,B,C,D\n" + "".join(f"D{i}: DS 1\n" for i in range(n // 2)) + " DATA_END\n MODULE_MAIN\n" +
                            "".join(f" LOD D{i}\n STO D{i}\n" for i in range(n // 2)) + " MODULE_MAIN_END\n STOP\n"),
+        "one-expression": lambda n: technol(" LA A\n LO B\n")(n // 2).replace(" MODULE_MAIN\n", " MODULE_MAIN\n LDR C\n")
+                          .replace(" MODULE_MAIN_END", " WR D\n MODULE_MAIN_END"),
         "wrong-word": technol(" NOSUCH A{i}\n"),
     }),
     "hnc": (".cld", {
@@ -107,6 +117,9 @@ KINDS = {
         "jump-back": numbered("l@: i++; if (i < 3) goto l@;"),
         "byte-loop": hnc("for (i = 0; i < (X[@] & 15); i++) Y[1] = i;"),
         "loop": hnc("for (i = 0; i < 3; i++) Y[i] = X[@];"),
+        "one-expression": hnc_expression("+ X[@]"),
+        "one-condition": hnc_expression("&& X[@]"),
+        "one-choice": hnc_expression("+ (X[@] ? 3 : X[1])"),
         "wrong-word": hnc("nosuch@ = 1;"),
         "wrong-function-again": declared("void f(void) {}"),
         "wrong-entry-again": declared("void plc2() { }"),

@@ -3,8 +3,11 @@
 //   %1 = load a; store a, x; store b, %1   ->   const bool t1 = a; a = x; b = t1
 //
 // All others are spelled inside the expression that uses them. A value may be spelled there when it is used once, in
-// its own region, and nothing between its computation and its use could change what it reads. (PlaceEffects decides the
-// rest: whether anything asks for a value, and where what has an effect is spelled.)
+// its own region, and nothing between its computation and its use could change what it reads, and when the expression
+// does not grow beyond what compilers and readers take. (PlaceEffects decides the rest: whether anything asks for a
+// value, and where what has an effect is spelled.)
+
+#include <algorithm>
 
 #include "transpiler/emit/legalize/steps.h"
 #include "transpiler/ir/builder.h"
@@ -12,17 +15,24 @@
 namespace plcxx::emit::legalize {
 namespace {
 
+/// Operations in one expression. Each may stand in brackets of its own, of which Clang takes 256 inside each other, and
+/// GCC's memory grows with the square: 2,000 operations took it 4 GB, as many in parts of this size 0.1.
+constexpr uint32_t kMostOperations = 128;
+
 struct Temporaries {
   const ir::Program& program;
   std::vector<Form>& forms;
-  std::vector<uint8_t> uses;    // by InstId, saturating
-  std::vector<uint32_t> epoch;  // by InstId: effects executed before it
-  std::vector<bool> reads;      // by InstId: its inline spelling reads memory or steps an instance
+  std::vector<uint8_t> uses;         // by InstId, saturating
+  std::vector<uint32_t> epoch;       // by InstId: effects executed before it
+  std::vector<bool> reads;           // by InstId: its inline spelling reads memory or steps an instance
+  std::vector<uint32_t> operations;  // by InstId: spelled in the expression of the value
   uint32_t now = 0;
 
   void CountUses();
   void Region(ir::RegionId region);
   void Consume(ir::ValueId value, bool only_unary, uint32_t at);
+  void Measure(ir::InstId id);
+  void CutLong(ir::InstId id);
   void MakeLocal(ir::ValueId value);
   bool IsLocal(ir::ValueId value) const { return forms[value.index] == Form::kLocal; }
 };
@@ -66,6 +76,21 @@ void Temporaries::Consume(ir::ValueId value, bool only_unary, uint32_t at) {
   }
 }
 
+void Temporaries::Measure(ir::InstId id) {
+  operations[id.index] = 1;
+  for (const ir::ValueId operand : ir::UsedValues(program, program[id]))
+    operations[id.index] += IsLocal(operand) ? 0 : operations[operand.index];
+}
+
+/// The longest operands of a value become locals until it is short enough.
+void Temporaries::CutLong(ir::InstId id) {
+  const std::vector<ir::ValueId> operands = ir::UsedValues(program, program[id]);
+  for (Measure(id); operations[id.index] > kMostOperations; Measure(id)) {
+    MakeLocal(*std::ranges::max_element(
+        operands, {}, [this](ir::ValueId operand) { return IsLocal(operand) ? 0 : operations[operand.index]; }));
+  }
+}
+
 void Temporaries::Region(ir::RegionId region) {
   for (const ir::InstId id : program.regions[region].insts) {
     const ir::Inst& inst = program[id];
@@ -77,12 +102,16 @@ void Temporaries::Region(ir::RegionId region) {
       case ir::Shape::kLoad:
         epoch[id.index] = now;
         reads[id.index] = true;
+        Measure(id);
         break;
       case ir::Shape::kPure: {
         epoch[id.index] = now;
         for (const ir::ValueId operand : ir::UsedValues(program, inst)) {
           const bool stale = reads[operand.index] && epoch[operand.index] != now;
           if (stale || (uses[operand.index] > 1 && program[operand].op != ir::OpKind::kConst)) MakeLocal(operand);
+        }
+        CutLong(id);
+        for (const ir::ValueId operand : ir::UsedValues(program, inst)) {
           if (!IsLocal(operand) && reads[operand.index]) reads[id.index] = true;
         }
         break;
@@ -102,6 +131,7 @@ void Temporaries::Region(ir::RegionId region) {
       case ir::Shape::kLabel: {
         const std::vector<ir::ValueId> operands = ir::UsedValues(program, inst);
         for (const ir::ValueId operand : operands) Consume(operand, operands.size() == 1, now);
+        Measure(id);
         if (shape != ir::Shape::kBlock) ++now;  // to enter a block does nothing
         epoch[id.index] = now;
         reads[id.index] = true;
@@ -124,8 +154,12 @@ void PlaceTemporaries(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   const size_t count = program.insts.size();
   emittable.forms.assign(count, Form::kNowhere);
-  Temporaries temporaries{
-      program, emittable.forms, {}, std::vector<uint32_t>(count, 0), std::vector<bool>(count, false)};
+  Temporaries temporaries{program,
+                          emittable.forms,
+                          {},
+                          std::vector<uint32_t>(count, 0),
+                          std::vector<bool>(count, false),
+                          std::vector<uint32_t>(count, 0)};
   temporaries.CountUses();
   for (const ir::Routine& routine : program.routines) {
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
