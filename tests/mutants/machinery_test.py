@@ -5,6 +5,7 @@ Every mutant of the program, and what becomes of it, is in fixture/expected.txt:
 import collections
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -166,8 +167,19 @@ def check_choice():
     assert not mutants.choose(made, ["hnc"], 0, 1)
 
 
+def check_folders():
+    """A folder whose files have moved is not left out in silence."""
+    for folder, patterns in prepare.FOLDERS.items():
+        for pattern in patterns:
+            assert list(prepare.ROOT.glob(pattern)), f"{folder}: nothing is at {pattern}"
+    # Marks of ids beyond it are in memory that is not there.
+    most = re.search(r"kMost = 1U << (\d+);", (HERE / "mutation_points.h").read_text())
+    assert len(prepare.FOLDERS) * prepare.MOST_OF_FOLDER < 1 << int(most[1]), "the ids of the last folder have no mark"
+
+
 def main():
     check_choice()
+    check_folders()
     check_stages()
     check_random_runs()
     check_table()

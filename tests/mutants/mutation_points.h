@@ -12,7 +12,7 @@
 
 namespace plcxx::mutants {
 
-constexpr unsigned kMost = 1U << 17;
+constexpr unsigned kMost = 1U << 18;  // more than the ids of all folders
 
 inline unsigned char* MarkedBytes() noexcept {
   const char* const path = getenv("PLCXX_MUTANTS_REACHED");

@@ -216,6 +216,12 @@ def places_of(keys_before, mutants):
             for before, key in keys_before.items()}
 
 
+def keep(place, keys, results):
+    """What did not pass may pass by then. A run that is ended goes on from here."""
+    with open(place, "wb") as file:
+        pickle.dump((keys, {test: result for test, result in results.items() if result is not None}), file)
+
+
 def recorded(name, tests, record_one, jobs):
     """What an earlier run has recorded stands, by the mutants' keys: only new tests are run."""
     kept = prepare.PLACE / f"seen_{name}.pickle"
@@ -240,9 +246,8 @@ def recorded(name, tests, record_one, jobs):
                 print(f"  does not pass without a mutant, left out: {test.name}")
             if number % 500 == 0:
                 print(f"what {name} reach: {number} of {len(todo)}", flush=True)
-    with open(kept, "wb") as file:
-        # What did not pass may pass by then.
-        pickle.dump((keys, {test: result for test, result in results.items() if result is not None}), file)
+                keep(kept, keys, results)
+    keep(kept, keys, results)
     return [results[identity(test)] for test in tests if results[identity(test)] is not None]
 
 
