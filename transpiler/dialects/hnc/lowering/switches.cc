@@ -1,5 +1,6 @@
 #include "transpiler/dialects/hnc/lowering/switches.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "transpiler/dialects/hnc/lowering/conversions.h"
@@ -16,6 +17,14 @@ namespace {
 
 uint64_t RawValue(int64_t value, const Type& type) {
   return type.bits >= 32 ? static_cast<uint64_t>(value) & 0xFFFFFFFF : static_cast<uint64_t>(value) & 0xFFFF;
+}
+
+/// An empty statement, or a block of nothing else.
+bool DoesNothing(const Unit& unit, StatementId id) {
+  const Statement& statement = unit.statements[id];
+  if (statement.kind == StatementKind::kEmpty) return true;
+  return statement.kind == StatementKind::kCompound &&
+         std::ranges::all_of(statement.body, [&unit](StatementId inner) { return DoesNothing(unit, inner); });
 }
 
 }  // namespace
@@ -78,7 +87,7 @@ void Switches::Lower(const Statement& statement) {
     if (next == list.size() && body.kind == StatementKind::kCompound) writer_.CommentsAtEnd(body.close);
     if (flow_.reachable && next < list.size()) {
       arm.falls_through = true;
-      CheckFallThrough(labelled, list[next]);
+      CheckFallThrough(labelled, std::span(list).subspan(at + 1, next - at - 1), list[next]);
     } else {
       path_.EndCase();
     }
@@ -100,13 +109,11 @@ Value Switches::ConvertSelector(ExprId id) {
 }
 
 /// W8: a group that does something runs on into the next one, and no comment says that it is meant.
-void Switches::CheckFallThrough(StatementId from, StatementId to) {
-  const Statement& first = unit_.statements[from];
-  const bool empty =
-      first.kind == StatementKind::kEmpty || (first.kind == StatementKind::kCompound && first.body.empty());
-  if (empty) return;
+void Switches::CheckFallThrough(StatementId first, std::span<const StatementId> others, StatementId to) {
+  const auto does_nothing = [this](StatementId id) { return DoesNothing(unit_, id); };
+  if (does_nothing(first) && std::ranges::all_of(others, does_nothing)) return;
   const source::Range label = unit_.statements[to].head;
-  for (const Comment* comment : CommentsIn(unit_, {first.range.begin, label.begin})) {
+  for (const Comment* comment : CommentsIn(unit_, {unit_.statements[first].range.begin, label.begin})) {
     std::string text = comment->text;
     for (char& c : text) {
       if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

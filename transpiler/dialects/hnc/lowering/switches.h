@@ -2,6 +2,7 @@
 // becomes jumps in the list around it.
 #pragma once
 
+#include <span>
 #include <unordered_map>
 
 #include "transpiler/dialects/hnc/lowering/context.h"
@@ -36,7 +37,7 @@ class Switches : Context {
 
  private:
   Value ConvertSelector(ExprId id);
-  void CheckFallThrough(StatementId from, StatementId to);
+  void CheckFallThrough(StatementId first, std::span<const StatementId> others, StatementId to);
   void LowerFlat(const Statement& statement, const Value& selector);
 
   Jumps& jumps_;
