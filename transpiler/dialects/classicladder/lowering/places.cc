@@ -77,11 +77,8 @@ ir::PlaceId Lowering::FieldOf(Group group, Part part, uint32_t number) {
 
 ir::PlaceId Lowering::HiddenOf(Group group, Hidden part, uint32_t number) {
   constexpr std::string_view kNames[] = {"base", "input_was", "before", "up_was", "down_was", "part_ms", "started"};
-  const Part shown = group == Group::kMonostables || group == Group::kTimers ? Part::kRunning : Part::kDone;
-  std::string name;
-  for (const VariableInfo& info : Variables()) {
-    if (info.group == group && info.part == shown) name = NameOf({info.kind, number});
-  }
+  const auto shown = std::ranges::find(Variables(), group, &VariableInfo::group);  // all of a group have its name
+  std::string name = NameOf({shown->kind, number});
   name = name.substr(0, name.find('.')) + "." + std::string(kNames[static_cast<size_t>(part)]);
   return Named(std::move(name), HiddenPlace(group, part, number));
 }
