@@ -138,18 +138,22 @@ class Judge:
     def units(self, mutant):
         tests = [self.seen.units[index] for index in self.seen.by_unit.get(mutant.id, ())]
         tests = sorted((test for test in tests if test.seconds < tests_seen.LIMIT), key=lambda test: test.seconds)
-        cheap = {}
+        cheap, alone = {}, []
         for test in tests:
             if test.seconds < 0.5:
-                cheap.setdefault(test.binary, []).append(test.name)
+                cheap.setdefault(test.binary, []).append(test)
         # Together in one process; what is only kept as it was printed says least.
-        for binary, names in sorted(cheap.items(), key=lambda item: item[0] in ("golden_test", "printed_test")):
-            for at in range(0, len(names), 50):
-                together = tests_seen.Unit(binary, ":".join(names[at:at + 50]))
-                failed = run([*tests_seen.unit_command(together), "--gtest_fail_fast"], mutant.id, 120)
-                if failed:
+        for binary, found in sorted(cheap.items(), key=lambda item: item[0] in ("golden_test", "printed_test")):
+            for at in range(0, len(found), 50):
+                group = found[at:at + 50]
+                together = tests_seen.Unit(binary, ":".join(test.name for test in group))
+                command = [*tests_seen.unit_command(together), "--gtest_fail_fast"]
+                failed = run(command, mutant.id, 120)
+                # They were recorded one by one: together they may fail without a mutant, and then say nothing.
+                if failed and run(command, 0, 120) is None:
                     return f"{binary}: {failed}"
-        return self.each_unit(mutant, [test for test in tests if test.seconds >= 0.5])
+                alone += group if failed else []
+        return self.each_unit(mutant, alone + [test for test in tests if test.seconds >= 0.5])
 
     def long_units(self, mutant):
         tests = [self.seen.units[index] for index in self.seen.by_unit.get(mutant.id, ())]

@@ -133,6 +133,24 @@ def check_stages():
     assert Stages(7, 0, ["random"], cheap_only=True).judge(row) == ("not reached", "")
 
 
+def check_groups():
+    """Tests that fail together without a mutant, too, are asked one by one."""
+    row = Row(7, "a.cc | F | + to - | x + y")
+    judged = Stages(7, 0, ())
+    judged.seen.units = [tests_seen.Unit("a_test", name) for name in ("A.One", "A.Two")]
+    judged.seen.by_unit = {7: [0, 1]}
+    run = judge.run
+    try:
+        both, second = "=A.One:A.Two", "=A.Two"
+        for failing, expected in (([(both, 7)], "a_test: wrong"), ([(both, 7), (both, 0)], None),
+                                  ([(both, 7), (both, 0), (second, 7)], "A.Two: wrong")):
+            judge.run = lambda command, number, seconds, failing=failing: next(
+                ("wrong" for end, of in failing if command[1].endswith(end) and number == of), None)
+            assert judged.units(row) == expected, (failing, judged.units(row))
+    finally:
+        judge.run = run
+
+
 def check_random_runs():
     row = Row(7, "a.cc | F | + to - | x + y")
     row.folder = "nc110"
@@ -181,6 +199,7 @@ def main():
     check_choice()
     check_folders()
     check_stages()
+    check_groups()
     check_random_runs()
     check_table()
     check_moved()
