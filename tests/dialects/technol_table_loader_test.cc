@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "runtime_support/plcxx/technology_tables.h"
+#include "plcxx/technology_tables.h"
 #include "tests/dialects/technol_parsing.h"
 
 namespace plcxx::technol {

@@ -29,7 +29,7 @@ FOLDERS = {
     "classicladder": ["transpiler/dialects/classicladder/lowering/*.cc"],
 }
 # The folders of tests that may see them.
-TESTS = ("passes", "emit", "ir", "sim", "runtime_support", "dialects", "golden", "printed", "reference")
+TESTS = ("passes", "emit", "ir", "sim", "runtime_support", "link", "dialects", "golden", "printed", "reference")
 # The mutated libraries, whose code is large and runs for moments. What reads beyond the end of a list is to be seen.
 LIBRARIES = {"emit": "emit emit_layout emit_legalize emit_print", "runtime": "sim"}  # others are named as their folder
 FAST_TO_COMPILE = """
