@@ -331,6 +331,19 @@ TEST(HncLowering, IndexedPlacesHaveNamesThatSayWhereTheyBegin) {
   EXPECT_THAT(names("*G_uc[a] = 1;"), Contains("G_uc_by_2"));
 }
 
+TEST(HncLowering, BytesBetweenMembersAreNamedByTheirPlace) {
+  LoweredProgram lowered;
+  LowerInto(lowered, "struct gapped { unsigned char first; unsigned : 16; unsigned char last; } gapped;\n" +
+                         WithStatements("((unsigned char *)&gapped)[0] = 1; ((unsigned char *)&gapped)[1] = 2; "
+                                        "((unsigned char *)&gapped)[2] = 3; ((unsigned char *)&gapped)[3] = 4;"));
+  std::vector<std::string> names;
+  for (const ir::Place& place : lowered.program().places) {
+    if (place.name.starts_with("gapped")) names.push_back(place.name + " " + place.address);
+  }
+  EXPECT_THAT(names, ElementsAre("gapped_first gapped.first", "gapped_byte_1 gapped_byte_1",
+                                 "gapped_byte_2 gapped_byte_2", "gapped_last gapped.last"));
+}
+
 TEST(HncLowering, AMacroThatStandsForAWordOfATableNamesIt) {
   const auto is_named = [](const std::string& text, std::string_view name) {
     LoweredProgram lowered;

@@ -49,10 +49,10 @@ enum Byte : uint16_t {
   g6_p12_0,  // g6_p12[0]: unsigned char[3] = 84
   g6_p12_1,  // g6_p12[1]
   g6_p12_2,  // g6_p12[2]
-  g12_p12,
-  g13_p12,
+  g12_p12_byte_4,
+  g13_p12_byte_4,
   g14_p12_m4_3_byte_1,
-  s,  // h22_p12.s
+  s_byte_4,
   s_m4_3_byte_1,
   h22_p12_result_4,
   h24_p12_result_18,
@@ -472,7 +472,7 @@ static void h22_p12(State& m, uint32_t a, Host&) noexcept {
 
   // return s;
   m[h22_p12_result_0] = m[s_m0];
-  m[h22_p12_result_4] = m[s];
+  m[h22_p12_result_4] = m[s_byte_4];
 }
 
 // h24_p12()
@@ -795,7 +795,7 @@ static void plc_init(State& m, Host& host) noexcept {
     // switch (h22_p12(P[3] > 3lu, g12_p12).m1)
     const uint32_t t582 = m[P3] > 3;
     m[s_m0] = m[g12_p12_m0_g12_p12_m0];
-    m[s] = m[g12_p12];
+    m[s_byte_4] = m[g12_p12_byte_4];
     h22_p12(m, t582, host);
     switch (m[h22_p12_result_2]) {
       case 3: {
@@ -1277,11 +1277,11 @@ static void plc2(State& m, Host& host) noexcept {
 
   // if (h22_p12(++g12_p12.m1, g13_p12).f20)
   const uint32_t t258 = m[g13_p12_m0_g13_p12_m0];
-  const uint8_t t259 = m[g13_p12];
+  const uint8_t t259 = m[g13_p12_byte_4];
   const uint8_t t260 = Add8(m[g12_p12_m1], 1);
   m[g12_p12_m1] = t260;
   m[s_m0] = t258;
-  m[s] = t259;
+  m[s_byte_4] = t259;
   h22_p12(m, t260, host);
   if ((m[h22_p12_result_3] & 0x7F) != 0) {
   } else {

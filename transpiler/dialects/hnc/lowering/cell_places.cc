@@ -68,6 +68,15 @@ void CellPlaces::CollectNames() {
   }
 }
 
+/// None: a bit-field without a name has left a gap there.
+const Member* CellPlaces::MemberAt(const Record& record, uint32_t offset) const {
+  const auto found = std::ranges::find_if(record.members, [&](const Member& member) {
+    const bool gap = member.is_bit_field && member.name.empty();
+    return !gap && member.offset <= offset && offset < member.offset + TypeAt(member.type).size;
+  });
+  return found == record.members.end() ? nullptr : &*found;
+}
+
 /// "R5", "G162", "R_ui_15", "table_3", "axes_speed".
 std::string CellPlaces::NameOf(ObjectId id, uint32_t offset, ir::Type type) const {
   const Object& object = objects_[id];
@@ -93,14 +102,7 @@ std::string CellPlaces::NameOf(ObjectId id, uint32_t offset, ir::Type type) cons
       continue;
     }
     if (part.kind != TypeKind::kRecord) break;
-    const Record& record = unit_.records[part.record];
-    const Member* found = nullptr;
-    for (const Member& member : record.members) {
-      if (member.offset <= rest && rest < member.offset + TypeAt(member.type).size) {
-        found = &member;
-        break;
-      }
-    }
+    const Member* const found = MemberAt(unit_.records[part.record], rest);
     if (found == nullptr) break;
     if (!found->name.empty()) name += "_" + found->name;
     rest -= found->offset;
@@ -194,10 +196,7 @@ std::string CellPlaces::AddressOf(ObjectId id, uint32_t offset, ir::Type type) c
       continue;
     }
     if (part.kind != TypeKind::kRecord) break;
-    const Member* found = nullptr;
-    for (const Member& member : unit_.records[part.record].members) {
-      if (found == nullptr && member.offset <= rest && rest < member.offset + TypeAt(member.type).size) found = &member;
-    }
+    const Member* const found = MemberAt(unit_.records[part.record], rest);
     if (found == nullptr) break;
     if (!found->name.empty()) text += "." + found->name;
     rest -= found->offset;

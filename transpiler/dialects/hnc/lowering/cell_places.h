@@ -24,6 +24,7 @@ class CellPlaces : Context {
   ir::ValueId LoadWord(Area area, uint32_t word, ir::Type type = ir::Type::kI16);
 
  private:
+  const Member* MemberAt(const Record& record, uint32_t offset) const;
   std::string NameOf(ObjectId id, uint32_t offset, ir::Type type) const;
   std::string AddressOf(ObjectId id, uint32_t offset, ir::Type type) const;
 
