@@ -52,7 +52,6 @@ void InstructionSet::Execute(InstructionId id) {
       break;
     case RungEffect::kOutput:
       ExecuteOutput(id);
-      results_.Await(id);
       break;
     case RungEffect::kElement:
       open_if_ = {};

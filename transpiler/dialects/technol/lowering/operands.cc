@@ -28,10 +28,6 @@ Bounds32 BoundsOf(const ir::Program& program, ValueId value) {
     return bits > 0x7FFFFFFF ? Bounds32{bits - 0x100000000, bits - 0x100000000} : Bounds32{bits, bits};
   }
   if (inst.op == OpKind::kWiden8To16 || inst.op == OpKind::kWiden8To32) return {0, 0xFF};
-  if (inst.op == OpKind::kWiden16To32) {
-    const Bounds32 narrow = of(inst.a);
-    return narrow.high <= 0xFFFF ? narrow : Bounds32{0, 0xFFFF};
-  }
   if (inst.op == OpKind::kSignExtend16To32) {
     const Bounds32 narrow = of(inst.a);
     return narrow.high <= 0x7FFF ? narrow : Bounds32{-0x8000, 0x7FFF};
