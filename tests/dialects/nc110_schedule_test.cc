@@ -77,6 +77,13 @@ TEST(Nc110Schedule, LatchedInputsAreCopiedBeforeTheFirstSlice) {
   EXPECT_THAT(slow, Contains("store U9K17_latched %1"));  // what is there now: a force keeps its value
   EXPECT_THAT(lowered.Routine("fast"), Contains("%0 = load I0A1"));
 
+  // A timer that has an input's number is none.
+  LoweredProgram timed;
+  LowerInto(timed, {"$\nT0I(1)=I0A0 U4A2=T0D"}, {{"slices", "2"}, {"latch-slow-inputs", "on"}});
+  EXPECT_THAT(timed.Routine("slow"), Contains(HasSubstr("load I0A0_latched")));
+  EXPECT_THAT(timed.Routine("slow"), Contains(HasSubstr("load T0D")));
+  EXPECT_THAT(timed.Routine("slow"), Not(Contains(HasSubstr("T0D_latched"))));
+
   LoweredProgram one_slice;
   LowerInto(one_slice, {"$\nU4A1=I0A1"}, {{"latch-slow-inputs", "on"}});
   EXPECT_THAT(one_slice.Routine("slow"), Contains("%0 = load I0A1"));

@@ -239,6 +239,17 @@ TEST(ProstepLowering, AWordAcrossTheRetentiveBorder) {
                   "store DB99 %3", "%4 = high_byte.i16 %2", "store DB100 %4", "store ax %2"));
 }
 
+TEST(ProstepLowering, NoStatementHasTheNumber0) {
+  // The hash of a statement's text is its number; that of the second one is 0.
+  LoweredProgram lowered;
+  LowerInto(lowered, ":MOD PM 9\n:A F 0.1\n:= F 0.2\n:A F 19.5\n:A F 39.1\n:A F 38.4\n:= F 9.1\n:END PM 9\n");
+  std::vector<uint32_t> numbers;
+  for (const ir::Statement& statement : lowered.program().statements) numbers.push_back(statement.id);
+  ASSERT_EQ(numbers.size(), 2u);
+  EXPECT_EQ(numbers[0], 0x6611F5DEu);  // FNV-1a of its words with an end after each
+  EXPECT_NE(numbers[1], 0u);
+}
+
 TEST(ProstepLowering, StatementsShowTheirLines) {
   LoweredProgram lowered;
   LowerInto(lowered,
