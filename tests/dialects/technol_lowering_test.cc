@@ -162,6 +162,23 @@ TEST(TechnolLowering, SubprogramsWithACommonTailAreOneRoutine) {
   EXPECT_THAT(lowered.Routine("MODULE_MAIN"), IsSupersetOf({"call S1 (%0)"}));
 }
 
+/// The calls of so many subprograms of which each runs on into the next one.
+std::vector<std::string> CallsOfEntries(uint32_t count) {
+  std::string calls, subprograms;
+  for (uint32_t i = 0; i < count; ++i) {
+    calls += "CALL S" + std::to_string(i) + "\n";
+    subprograms += "S" + std::to_string(i) + ": FL 1,A\n";
+  }
+  LoweredProgram lowered;
+  LowerInto(lowered, TechnolProgram(calls, subprograms + "RET\n"));
+  return lowered.Routine("MODULE_MAIN");
+}
+
+TEST(TechnolLowering, EntriesThatAByteCannotCountAreNumberedInMore) {
+  EXPECT_THAT(CallsOfEntries(256), Contains(HasSubstr("const i8 255")));
+  EXPECT_THAT(CallsOfEntries(257), Contains(HasSubstr("const i32 256")));
+}
+
 // covers: TECHNOL-087
 TEST(TechnolLowering, ARefusedJumpInASubprogramLeavesItsCallers) {
   LoweredProgram lowered;

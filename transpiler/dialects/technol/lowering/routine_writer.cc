@@ -58,8 +58,9 @@ void RoutineWriter::AddSubprograms(Routine& routine) {
   routine.id = builder_.AddRoutine(tree_.labels[first].name, ir::RoutineKind::kSubroutine, CommentOf(routine));
   ir::Routine& added = program_.routines[routine.id];
   if (routine.subprograms.size() > 1) {
-    routine.entry = locals_.AddShared("entry", Type::kI8);
-    added.parameters.push_back({.name = "entry", .type = Type::kI8, .enumerators = {}});
+    const Type type = routine.subprograms.size() <= 0x100 ? Type::kI8 : Type::kI32;
+    routine.entry = locals_.AddShared("entry", type);
+    added.parameters.push_back({.name = "entry", .type = type, .enumerators = {}});
     added.parameter_places.push_back(routine.entry);
   }
   if (routine.leaves) {

@@ -19,7 +19,7 @@ void Subprograms::Call(const Instruction& instruction) {
   if (callee.entry.valid()) {
     uint64_t entry = 0;
     while (callee.subprograms[entry] != number) ++entry;
-    arguments.push_back(builder_.Byte(entry));
+    arguments.push_back(builder_.Constant(program_.places[callee.entry].type, entry));
   }
   const bool may_be_stopped = caller.stopped_by_callee && callee.MayStop(caller.unit);
   if (may_be_stopped) builder_.Store(mechanisms_.StoppedPlace(caller.unit), builder_.Bit(0));
