@@ -71,6 +71,10 @@ TEST(CommentText, DropsWhatControlsOrHidesAndNothingBesideIt) {
 
 // Of a text of the program: what would end the literal is escaped, what controls is dropped.
 TEST(CppString, IsOneLiteral) { EXPECT_EQ(CppString("a\"b\\c\x1F\x20\n"), "\"a\\\"b\\\\c \""); }
+TEST(CppString, HasNoTrigraph) {
+  EXPECT_EQ(CppString("?a?\?/??\?"), R"("?a?\?/?\?\?")");
+  EXPECT_EQ(CppString("\"?\?"), R"("\"?\?")");
+}
 
 }  // namespace
 }  // namespace plcxx::emit::print

@@ -47,7 +47,8 @@ std::string CommentText(std::string_view text) {
 std::string CppString(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
+    // Two question marks may begin a trigraph, which some standards replace and all compilers warn of.
+    if (c == '"' || c == '\\' || (c == '?' && out.back() == '?')) out += '\\';
     if (static_cast<unsigned char>(c) >= 0x20) out += c;
   }
   return out + "\"";
