@@ -72,7 +72,7 @@ struct Analysis {
   bool alone = false;                         // calls are passed over
   std::vector<Summary> summaries;             // by RoutineId
   std::unordered_map<uint32_t, Live> behind;  // by InstId of an open block or loop: live where an Exit leads
-  std::unordered_map<uint32_t, Live> head;    // by InstId of an open loop: live where a Repeat leads
+  std::unordered_map<uint32_t, Live> head;    // by InstId of a loop: live where a Repeat leads, as far as is known
   bool collects = false;                      // what callers read after calls
   bool removes = false;
   std::vector<bool> dead = {};  // by InstId
@@ -275,7 +275,9 @@ void Analysis::Loop(InstId id, Live& live) {
     removes = false;
   }
   behind.insert_or_assign(id.index, after);
-  head.insert_or_assign(id.index, Live(locals));
+  // A loop in another one goes on from where the other's last round left it, for what is live only grows: with each
+  // from nothing the rounds of a nest would be a power of its depth.
+  head.try_emplace(id.index, locals);
   // One round, from what is live at the head of the next one.
   const auto round = [&] {
     Live before = loop.kind == ir::LoopBound::kBudget ? after : head.at(id.index);
@@ -298,7 +300,6 @@ void Analysis::Loop(InstId id, Live& live) {
   live = removes ? round() : head.at(id.index);
   live.Join(head.at(id.index));
   behind.erase(id.index);
-  head.erase(id.index);
 }
 
 void Analysis::Repeat(const Inst& inst, Live& live) {
@@ -367,6 +368,7 @@ void Analysis::Region(RegionId region, Live& live) {
 /// What is live before the routine, when `after` is behind it.
 Live Analysis::Routine(ir::RoutineId id, Live after) {
   const ir::Routine routine = program.routines[id];
+  head.clear();
   for (const RegionId region : {routine.epilogue, routine.body, routine.prologue}) Region(region, after);
   return after;
 }

@@ -33,8 +33,8 @@ struct Span {
 struct Structurer {
   ir::Program& program;
 
-  /// Gives the jumps that lead out of the region.
-  std::vector<InstId> Visit(RegionId region);
+  /// Gives the jumps that lead out of the region, which is in so many loops.
+  std::vector<InstId> Visit(RegionId region, uint32_t loops = 0);
   std::vector<Span> FindSpans(const std::vector<InstId>& insts, const std::vector<JumpIn>& jumps) const;
   void Rebuild(RegionId region, std::vector<Span> spans, const std::vector<JumpIn>& jumps);
   RegionId Open(Span& span, const std::vector<InstId>& insts, RegionId outer);
@@ -178,8 +178,8 @@ void Structurer::Rebuild(RegionId region, std::vector<Span> spans, const std::ve
   }
 }
 
-std::vector<InstId> Structurer::Visit(RegionId region) {
-  MakeLoops(program, region);
+std::vector<InstId> Structurer::Visit(RegionId region, uint32_t loops) {
+  MakeLoops(program, region, loops);
   std::vector<InstId> leading_out;
   std::vector<JumpIn> jumps;
   bool labels = false;
@@ -190,8 +190,9 @@ std::vector<InstId> Structurer::Visit(RegionId region) {
     if (inst.op == OpKind::kJump) jumps.push_back({id, i, inst.payload, false});
     labels = labels || inst.op == OpKind::kLabel;
     if (!ir::OwnsRegions(inst)) continue;
+    const uint32_t inside = loops + (inst.op == OpKind::kLoop ? 1 : 0);
     for (const RegionId owned : ir::OwnedRegions(program, inst)) {
-      for (const InstId jump : Visit(owned)) jumps.push_back({jump, i, program[jump].payload, true});
+      for (const InstId jump : Visit(owned, inside)) jumps.push_back({jump, i, program[jump].payload, true});
     }
   }
   if (!labels) {

@@ -35,8 +35,12 @@ namespace plcxx::passes {
 
 void Structure(ir::Program& program);
 
+/// Loops one in the other; compilers refuse brackets that are deeper than 256.
+inline constexpr uint32_t kDeepestLoops = 32;
+
 /// The outermost loops of one region, before its forward jumps: their jumps back are Repeats afterwards. Their bodies
-/// may hold inner loops that are still to be made.
-void MakeLoops(ir::Program& program, ir::RegionId region);
+/// may hold inner loops that are still to be made, up to kDeepestLoops with the `loops` around the region: in the
+/// innermost one all jumps back are its own, as where loops cross.
+void MakeLoops(ir::Program& program, ir::RegionId region, uint32_t loops);
 
 }  // namespace plcxx::passes

@@ -48,7 +48,7 @@ struct LoopMaker {
   explicit LoopMaker(ir::Program& of) : program(of), builder(of) {}
 
   void FindJumps();
-  void FindLoops();
+  void FindLoops(bool only_outermost);
   bool MergeCrossing();
   bool ReachEntries(const Entries& entries);
   void Rebuild(RegionId region);
@@ -155,7 +155,7 @@ bool LoopMaker::ReachEntries(const Entries& entries) {
   return moved;
 }
 
-void LoopMaker::FindLoops() {
+void LoopMaker::FindLoops(bool only_outermost) {
   for (const LoopJump& jump : jumps) {
     if (jump.back()) loops.push_back({jump.head, end_of[jump.at]});
   }
@@ -164,6 +164,11 @@ void LoopMaker::FindLoops() {
   for (bool changed = true; changed;) {
     changed = MergeCrossing();
     changed = ReachEntries(entries) || changed;
+  }
+  if (only_outermost) {
+    size_t end = 0;
+    std::erase_if(loops,
+                  [&](const Interval& loop) { return loop.begin < std::exchange(end, std::max(end, loop.end)); });
   }
   FindOwners();
 }
@@ -290,11 +295,11 @@ void LoopMaker::Rebuild(RegionId region) {
 
 }  // namespace
 
-void MakeLoops(ir::Program& program, RegionId region) {
+void MakeLoops(ir::Program& program, RegionId region, uint32_t loops) {
   LoopMaker maker(program);
   maker.insts = program.regions[region].insts;
   maker.FindJumps();
-  maker.FindLoops();
+  maker.FindLoops(loops + 1 >= kDeepestLoops);
   if (!maker.loops.empty()) maker.Rebuild(region);
 }
 
