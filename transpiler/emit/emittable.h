@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -178,6 +179,9 @@ struct Emittable {
   /// By InstId, of an If whose first arm ends in a jump of the source to where the function, iteration or switch arm
   /// ends: the word for it.
   std::unordered_map<uint32_t, Leave> early_leaves;
+  /// By InstId, of those of Form::kLocal that a goto jumps over where brackets would be too deep: not initialized where
+  /// they are declared.
+  std::unordered_set<uint32_t> loose_locals;
   std::unordered_map<uint32_t, Landing> landings;   // by InstId, of all loops, and of blocks that have anything
   std::unordered_map<uint32_t, ElseArm> else_arms;  // by InstId, of every If that has text
   /// By InstId, of stores of a result: they are `return value;`, and so is this Exit, if any, that follows.

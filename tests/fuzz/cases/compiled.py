@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compilers take what is generated of long programs, and need no more memory for it than its size explains.
+"""Compilers take what is generated of long programs without a warning, in no more memory than its size explains.
 
     compiled.py PLCXX ROOT COMPILER... [--dialects NAMES] [--lines N]
 
@@ -39,7 +39,8 @@ def faults_of(args, text, suffix, dialect):
         files = [str(path) for path in sorted(folder.glob("out/*.cpp"))]
         found = []
         for compiler in args.compilers:
-            took, told = memory([compiler, "-std=c++17", "-fsyntax-only", "-w", "-I", str(args.root / "runtime_support"), *files])
+            took, told = memory([compiler, "-std=c++17", "-fsyntax-only", "-Wall", "-Wextra", "-Werror",
+                                 "-I", str(args.root / "runtime_support"), *files])
             if told or took > MOST_MB or not files:
                 found.append(f"{compiler}: {took} MB {told}")
         return found

@@ -45,6 +45,25 @@ def technol(text):
                       " MODULE_MAIN_END\n STOP\n")
 
 
+def nests(loop, back, deep):
+    """Loops one in the other, so deep, again and again; what begins a loop and what ends it, with its name."""
+    def lines(n):
+        names = [f"N{i:X}" for i in range(n // 4)]
+        return "".join("".join(loop.format(l=name) for name in names[i:i + deep]) +
+                       "".join(back.format(l=name) for name in reversed(names[i:i + deep])) for i in range(0, len(names), deep))
+    return lines
+
+
+def jumps_anywhere(n):
+    return (" DATA\nF: DFM A,B,C,D\n DATA_END\n MODULE_MAIN\n" +
+            "".join(f"L{i}: LDR A\n WR B\n LDR C\n JL1 L{(i * 7919 + 13) % n}\n" for i in range(n)) + " MODULE_MAIN_END\n STOP\n")
+
+
+def entries(n):
+    """Subprograms of which each runs on into the next one: more than a byte has numbers for."""
+    return technol(" CALL S{i}\n")(n).replace(" STOP\n", "".join(f"S{i}: LDR A\n WR B\n" for i in range(n)) + " RET\n STOP\n")
+
+
 def classicladder(row, expression=""):
     """Rungs with this row, n lines in all, each with an expression where there is one."""
     def program(n):
@@ -98,11 +117,17 @@ KINDS = {
         "wrong-word": prostep(":NOSUCH I {a}.{b}\n"),
         "branch": lambda n: (":MOD PM 1\n" + "".join(f":A I 0.0\n:JC L{i:03X}\n:A I {i % 64}.1\n:= O {i % 64}.1\nL{i:03X} :A I 0.1\n"
                                                     f":S O 1.1\n" for i in range(min(n, 4096))) + ":END PM 1\n"),
+        "loops-in-each-other": lambda n: (":MOD PM 1\n" + nests("{l} :A I 0.1\n:= O 0.1\n", ":A F 7.1\n:JC {l}\n", 300)(n) +
+                                          ":END PM 1\n"),
     }),
     "technol": (".plc", {
         "mechanism": technol(" MECH_BEGIN M{i}\n EX\n LDR A\n FL 1,B\n MECH_END M{i}\n"),
         "wrong-unclosed": technol(" MECH_BEGIN M{i}\n EX\n"),
         "label": technol("L{i}: LDR A\n JL1 L{i}\n"),
+        "loops-in-each-other": lambda n: (" DATA\nWA: DS 2\n DATA_END\n MODULE_MAIN\n" +
+                                          nests("L{l}: INC WA\n", " DEC WA\n JNZ L{l}\n", 300)(n) + " MODULE_MAIN_END\n STOP\n"),
+        "jumps-anywhere": lambda n: jumps_anywhere(min(n // 4, 600)),
+        "entries": lambda n: entries(min(n // 3, 600)),
         "macro": lambda n: ("M MACRO X\n LDR X\n WR B\nENDM\n" + technol(" M A\n")(n)),
         "data": lambda n: (" DATA\nF: DFM A,B,C,D\n" + "".join(f"D{i}: DS 1\n" for i in range(n // 2)) + " DATA_END\n MODULE_MAIN\n" +
                            "".join(f" LOD D{i}\n STO D{i}\n" for i in range(n // 2)) + " MODULE_MAIN_END\n STOP\n"),

@@ -247,7 +247,7 @@ void Chooser::Function(std::initializer_list<RegionId> regions) {
 bool HasLocals(const Emittable& emittable, RegionId region) {
   const ir::Program& program = *emittable.program;
   for (const InstId id : program.regions[region].insts) {
-    if (emittable.forms[id.index] == Form::kLocal) return true;
+    if (emittable.forms[id.index] == Form::kLocal && !emittable.loose_locals.contains(id.index)) return true;
     if (emittable.early_leaves.contains(id.index) && HasLocals(emittable, RegionId(program[id].c))) return true;
     if (program[id].op != ir::OpKind::kBlock) continue;
     const auto landing = emittable.landings.find(id.index);
@@ -257,13 +257,29 @@ bool HasLocals(const Emittable& emittable, RegionId region) {
   return false;
 }
 
-void BracesIn(Emittable& emittable, RegionId region) {
+/// The list's locals, as many as HasLocals looks at.
+void Loosen(Emittable& emittable, RegionId region) {
   const ir::Program& program = *emittable.program;
   for (const InstId id : program.regions[region].insts) {
-    for (const RegionId owned : ir::OwnedRegions(program, program[id])) BracesIn(emittable, owned);
+    if (emittable.forms[id.index] == Form::kLocal) emittable.loose_locals.insert(id.index);
+    if (emittable.early_leaves.contains(id.index)) Loosen(emittable, RegionId(program[id].c));
+    if (program[id].op == ir::OpKind::kBlock) Loosen(emittable, RegionId(program[id].a));
+  }
+}
+
+constexpr uint32_t kDeepestBraces = 64;  // of regions; Clang refuses brackets that are deeper than 256
+
+void BracesIn(Emittable& emittable, RegionId region, uint32_t depth) {
+  const ir::Program& program = *emittable.program;
+  for (const InstId id : program.regions[region].insts) {
+    for (const RegionId owned : ir::OwnedRegions(program, program[id])) BracesIn(emittable, owned, depth + 1);
     const auto landing = emittable.landings.find(id.index);
     if (program[id].op != ir::OpKind::kBlock || landing == emittable.landings.end()) continue;
-    landing->second.braces = !landing->second.behind.empty() && HasLocals(emittable, RegionId(program[id].a));
+    const RegionId inside(program[id].a);
+    landing->second.braces = !landing->second.behind.empty() && HasLocals(emittable, inside);
+    if (!landing->second.braces || depth < kDeepestBraces) continue;
+    landing->second.braces = false;
+    Loosen(emittable, inside);
   }
 }
 
@@ -292,7 +308,7 @@ void PlaceBraces(Emittable& emittable) {
   const ir::Program& program = *emittable.program;
   for (const ir::Routine& routine : program.routines) {
     for (const RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
-      if (region.valid()) BracesIn(emittable, region);
+      if (region.valid()) BracesIn(emittable, region, 0);
     }
   }
 }

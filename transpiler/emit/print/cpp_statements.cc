@@ -107,7 +107,13 @@ void PartPrinter::Local(ir::InstId id) {
   const std::string type(ir::CppName(program_[id].type));
   if (const Switch* of = SwitchOf(id)) value = On(of->statement) + " ? " + value + " : " + type + "{}";
   local_names_[id.index] = emittable_.value_names[id.index];
-  Line("const " + type + " " + emittable_.value_names[id.index] + " = " + value + ";");
+  const std::string& name = emittable_.value_names[id.index];
+  if (emittable_.loose_locals.contains(id.index)) {
+    Line(type + " " + name + ";");
+    Line(name + " = " + value + ";");
+  } else {
+    Line("const " + type + " " + name + " = " + value + ";");
+  }
 }
 
 std::string PartPrinter::On(ir::StatementId statement) const {

@@ -169,7 +169,8 @@ void FunctionText::Inst(ir::InstId id) {
   }
   if (IsEffect(emittable_, id) || form == Form::kLocal || wording != Wording::kTable) {
     const std::string name = form == Form::kLocal ? " " + emittable_.value_names[id.index] : "";
-    Line(std::string(kForms[static_cast<size_t>(form)]) + name + ": " + std::string(ir::Info(inst.op).text) +
+    const std::string loose = emittable_.loose_locals.contains(id.index) ? "loose " : "";
+    Line(loose + std::string(kForms[static_cast<size_t>(form)]) + name + ": " + std::string(ir::Info(inst.op).text) +
          std::string(kWordings[static_cast<size_t>(wording)]) + Decisions(id));
   }
   ++depth_;
