@@ -92,7 +92,7 @@ class Lowering : dialects::LoweringFrame<Translation, Context> {
   Assembler assembler_{context_, flags_, jumps_, arithmetic_, moves_, shifts_, products_};
   InstructionSet instructions_{context_, cells_, host_,       jumps_,       bits_,
                                data_,    waits_, mechanisms_, subprograms_, assembler_};
-  StatementWriter statements_{context_, cells_, segments_};
+  StatementWriter statements_{context_, cells_};
   Requests requests_{context_, cells_, host_};
   Schedule schedule_{context_, cells_, host_, mechanisms_, requests_};
   RoutineWriter routines_{context_,    locals_,   mechanism_places_, exits_,        flags_,

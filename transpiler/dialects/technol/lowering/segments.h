@@ -20,8 +20,6 @@ class Segments : Context {
   void Begin();
   /// Goes on in the region of the segment that begins at the instruction, if one does.
   void Enter(InstructionId id);
-  /// Does a case of the `switch`, or what is after it, begin at the instruction?
-  bool BeginsAt(InstructionId id) const { return segments_.contains(id); }
   /// The label at the end of the segment in front of the one that begins at the instruction.
   uint32_t EndBefore(InstructionId next) const { return tree_.instructions.size() + next.index + 1; }
   /// Goes to an entry, if `condition`, by way of the choice at the head of the routine's loop. `refused` is executed

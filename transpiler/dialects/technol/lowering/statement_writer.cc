@@ -5,7 +5,6 @@
 
 #include "transpiler/dialects/common/statement_texts.h"
 #include "transpiler/dialects/technol/lowering/cell_places.h"
-#include "transpiler/dialects/technol/lowering/segments.h"
 #include "transpiler/dialects/technol/parser/parser.h"
 
 namespace plcxx::technol {
@@ -79,8 +78,8 @@ void StatementWriter::Cut(const std::vector<bool>& label_at) {
     const bool follows = i > 0 && instructions[i].index == instructions[i - 1].index + 1;
     const bool other_source = i > 0 && InstructionAt(i - 1).expansion.valid() != instruction.expansion.valid();
     const bool faults = CanFault(instructions[i]);
-    const bool begins = after_end || label_at[i] || is_target_[instructions[i].index] ||
-                        segments_.BeginsAt(instructions[i]) || !follows || other_source ||
+    // So does each segment: it begins after a wait, at a label, or at what begins a condition.
+    const bool begins = after_end || label_at[i] || is_target_[instructions[i].index] || !follows || other_source ||
                         (faults && sequence.faults) || BeginsStatement(instruction, sequence);
     if (begins) sequence = {};
     begins_[i] = begins;

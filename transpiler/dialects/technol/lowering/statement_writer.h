@@ -17,12 +17,10 @@
 namespace plcxx::technol {
 
 class CellPlaces;
-class Segments;
 
 class StatementWriter : Context {
  public:
-  StatementWriter(const Context& context, CellPlaces& cells, Segments& segments)
-      : Context(context), cells_(cells), segments_(segments) {}
+  StatementWriter(const Context& context, CellPlaces& cells) : Context(context), cells_(cells) {}
 
   /// Before the first routine is lowered.
   void FindTargets();
@@ -52,7 +50,6 @@ class StatementWriter : Context {
   source::Range LinesOf(size_t first, size_t end) const;
 
   CellPlaces& cells_;
-  Segments& segments_;
   std::vector<bool> begins_;       // by instruction of the routine
   std::vector<bool> is_target_;    // by InstructionId: jumped to or called, from any routine
   std::vector<uint32_t> numbers_;  // by InstructionId of the first one; 0: none yet
