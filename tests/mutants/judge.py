@@ -1,4 +1,5 @@
 """One mutant against the tests that reach it, in two stages: what is cheap, and for what survives that everything else."""
+import functools
 import math
 import os
 import random
@@ -121,7 +122,12 @@ class Judge:
         while at < len(found):
             size = BATCHES[min(number, len(BATCHES) - 1)]
             paths = [self.seen.scenarios[index].name for index in found[at:at + size]]
-            failed = run(tests_seen.scenario_command(paths, *options), mutant.id, 300)
+            longest = max(self.seen.scenarios[index].seconds for index in found[at:at + size])
+            command = functools.partial(tests_seen.scenario_command, limit=math.ceil(20 + WAITING * longest))
+            failed = run(command(paths, *options), mutant.id, 300)
+            # One that does not pass now without a mutant has not seen this one: its limit is of the clock.
+            if failed in paths and run(command([failed], *options), 0, 300):
+                failed = None
             if failed:
                 self.remember(mutant, failed)
                 return failed

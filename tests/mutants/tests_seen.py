@@ -54,8 +54,8 @@ def plcxx():
     return str(prepare.BUILD / "bin" / "plcxx")
 
 
-def scenario_command(paths, *more, engine="sim"):
-    return [plcxx(), "test", "--engine", engine, "--jobs", "1", "--time-limit", "20", *more, *paths]
+def scenario_command(paths, *more, engine="sim", limit=20):
+    return [plcxx(), "test", "--engine", engine, "--jobs", "1", "--time-limit", str(limit), *more, *paths]
 
 
 def unit_command(unit):
