@@ -96,6 +96,20 @@ TEST(HostileInput, NamesOfAnyScriptGiveFilesOfTheirOwn) {
   EXPECT_TRUE(std::ranges::any_of(names, [](const std::string& name) { return name.starts_with("pila_"); }));
 }
 
+TEST(HostileInput, CallsThatDoubleEachOtherAreNotExecutedForEver) {
+  const Workplace work;
+  std::string program = ":MOD PM 1\n:JU PM 17\n:END PM 1\n:MOD PM 98\n:A I 0.0\n:= O 0.0\n:END PM 98\n";
+  for (uint32_t i = 17; i < 98; ++i) {
+    const std::string own = "PM " + std::to_string(i), next = ":JU PM " + std::to_string(i + 1) + "\n";
+    program += ":MOD " + own + "\n" + next + next + ":END " + own + "\n";
+  }
+  work.Write("p.plc", program);
+  work.Write("p.prop", "never O0.0\n");
+  const Ran ran = work.Run("prove p.plc --dialect prostep --property p.prop --time 2s");
+  EXPECT_EQ(ran.code, 2) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("the program executes more than 10000000 statements at a time"));
+}
+
 TEST(HostileInput, MessagesEnd) {
   const Workplace work;
   std::string text;

@@ -140,6 +140,11 @@ void Executor::ExecutePoison(ir::InstId id, const ir::Inst& inst) {
 }
 
 void Executor::ExecuteStatement(ir::InstId, const ir::Inst&) {
+  // Calls that double each other make no new terms, and would not end.
+  constexpr uint64_t kMostStatements = 10'000'000;
+  if (++statements_ > kMostStatements) {
+    Refuse("the program executes more than " + std::to_string(kMostStatements) + " statements at a time");
+  }
   if (terms_.size() - first_term_ > memory_.environment().most_terms) {
     Refuse("the program takes more than " + std::to_string(memory_.environment().most_terms) + " terms");
   }

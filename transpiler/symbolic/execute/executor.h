@@ -105,6 +105,7 @@ class Executor {
   std::vector<terms::TermId> values_;  // by ValueId
   Flow flow_;
   Refusal refusal_;
+  uint64_t statements_ = 0;  // that were executed
   uint32_t first_term_;
   terms::TermId context_;  // when the stretch of `flow_` begins
   uint32_t sampling_ = 0;  // loops around this point whose first rounds are looked at
