@@ -45,6 +45,13 @@ TEST_F(GatherTest, ChoicesWithAConstant) {
   }
 }
 
+/// The lowest bit of a number and of the number negated is the same one, and no choice any more.
+TEST_F(GatherTest, ChoicesOfWhichABitIsNone) {
+  const terms::TermId zero = terms_.Const(0, 32);
+  ExpectOneTerm(terms_.Ite(bit_, terms_.Sub(zero, x_), x_));
+  ExpectOneTerm(terms_.Ite(other_, terms_.Ite(bit_, terms_.Sub(zero, x_), x_), y_));
+}
+
 /// Bits of which each is a choice, but not all by one condition, stay what they are.
 TEST_F(GatherTest, BitsThatAreNoWordMeanTheSame) {
   terms::Terms terms;

@@ -162,6 +162,11 @@ struct CodeOutcome {
   terms::TermId left_out;     // when a loop would have gone round more often
 };
 
+/// So many numbers from `low` on, around the end of the width.
+struct NumberRange {
+  uint64_t low = 0, count = 0;
+};
+
 class CompiledCode {
  public:
   CompiledCode() = default;
@@ -172,6 +177,8 @@ class CompiledCode {
   /// The names of the parameters that a function has after compilation (of one without name, empty); none: the code
   /// has no such function.
   virtual std::optional<std::vector<std::string>> Parameters(const std::string& function) const = 0;
+  /// What the code says of a function's result, and its execution requires; none: nothing.
+  virtual std::optional<NumberRange> ResultRange(const std::string& /*function*/) const { return std::nullopt; }
   /// What a global variable is initialised with, byte by byte, -1 where that is no number; empty: it is declared only.
   virtual std::vector<int16_t> InitialBytes(const std::string& global) const = 0;
 };

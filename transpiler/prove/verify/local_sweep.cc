@@ -14,7 +14,9 @@
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/evaluate.h"
 #include "transpiler/symbolic/terms/form.h"
+#include "transpiler/symbolic/terms/index_bits.h"
 #include "transpiler/symbolic/terms/likely_values.h"
+#include "transpiler/symbolic/terms/specialization.h"
 
 namespace plcxx::prove::verify {
 namespace {
@@ -54,6 +56,8 @@ class LocalSweep {
   void Simulate();
   void SimulateOnce(int vector);
   void SweepTerm(terms::TermId id);
+  /// A choice in a choice that is the same without the outer one, whose condition follows from the inner one's.
+  terms::TermId WithoutImplied(terms::TermId id);
   bool AreEqual(terms::TermId a, terms::TermId b, std::span<const int> depths, uint32_t milliseconds);
   /// A copy of both in which what is shared, `depth` shared terms down, is a variable. None: it is too large.
   std::optional<solver::TermPair> Copy(const solver::TermPair& pair, int depth);
@@ -263,6 +267,20 @@ bool LocalSweep::AreEqual(terms::TermId a, terms::TermId b, std::span<const int>
   return false;
 }
 
+terms::TermId LocalSweep::WithoutImplied(terms::TermId id) {
+  // p ? (q ? x : y) : y, as code writes it that asks whether an index is in range before it writes there.
+  const terms::Term outer = terms_[id];
+  if (outer.kind != terms::TermKind::kIte) return id;
+  const terms::Term inner = terms_[terms::TermId(outer.b)];
+  if (inner.kind != terms::TermKind::kIte || inner.c != outer.c) return id;
+  const terms::KnownIndexBits known =
+      terms::KnownWhere(terms_, terms::TermId(inner.a), terms::Specialization::kMostBits);
+  const terms::TermId condition =
+      terms::Specialization(terms_, terms::TermId(outer.a), known.bits).Where(known.ones, known.zeros);
+  if (!terms_.IsConst(condition)) return id;
+  return terms::TermId(terms_.IsTrue(condition) ? outer.b : outer.c);
+}
+
 void LocalSweep::SweepTerm(terms::TermId id) {
   constexpr int kDepths[] = {0, 2};
   const terms::Term term = terms_[id];
@@ -272,7 +290,7 @@ void LocalSweep::SweepTerm(terms::TermId id) {
     operands.push_back(Representative(operand));
     changed = changed || operands.back() != operand;
   });
-  terms::TermId now = changed ? Representative(terms_.Rebuild(term, operands)) : id;
+  terms::TermId now = Representative(WithoutImplied(changed ? terms_.Rebuild(term, operands) : id));
   std::vector<terms::TermId>& members = classes_[signatures_[id.index]];
   if (sides_[id.index] == kSideB && !terms_.IsConst(now) && !IsShared(now) && !Late()) {
     size_t tried = 0;

@@ -1,10 +1,13 @@
 #include "transpiler/prove/verify/replaced_call.h"
 
 #include <algorithm>
+#include <bit>
 #include <iterator>
 #include <ranges>
 
 #include "transpiler/symbolic/meaning/meaning.h"
+#include "transpiler/symbolic/terms/index_bits.h"
+#include "transpiler/symbolic/terms/specialization.h"
 
 namespace plcxx::prove::verify {
 namespace {
@@ -96,22 +99,29 @@ terms::TermId CallLog::CalledByCode(const ReplacedCall& call, std::vector<terms:
       expected[i] = terms_.Ite(entry->when, entry->arguments[i], expected[i]);
   }
   for (Entry* entry : entries) entry->taken.push_back(when);
+  const terms::KnownIndexBits known_bits = terms::KnownWhere(terms_, when, terms::Specialization::kMostBits);
+  const auto there = [&](terms::TermId id) {
+    return terms::Specialization(terms_, id, known_bits.bits).Where(known_bits.ones, known_bits.zeros);
+  };
   for (size_t i = 0; i < arguments.size(); ++i) {
+    if (expected[i] == arguments[i]) continue;
     // Where the code does not come here, its call is none.
-    const terms::TermId program = terms_.Ite(when, expected[i], arguments[i]);
-    if (program != arguments[i]) claims_.push_back({.call = &call, .program = program, .code = arguments[i]});
+    const terms::TermId code = there(arguments[i]), program = terms_.Ite(when, there(expected[i]), code);
+    if (program != code) claims_.push_back({.call = &call, .program = program, .code = code});
   }
   return known;
 }
 
 ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const execute::Cells& cells, const StateImage& image,
-                           const Unit& unit, Passes passes, const std::vector<std::string>& parameters)
+                           const Unit& unit, Passes passes, const std::vector<std::string>& parameters,
+                           std::optional<NumberRange> result)
     : emittable_(emittable),
       program_(*emittable.program),
       cells_(cells),
       image_(image),
       unit_(unit),
-      parameters_(ParametersOf(emittable, unit, passes)) {
+      parameters_(ParametersOf(emittable, unit, passes)),
+      result_(result) {
   AddItems(passes);
   for (const ir::PlaceId place : unit.values) {
     if (Gets(parameters, emittable.place_names[place.index]))
@@ -189,7 +199,23 @@ void ReplacedCall::AddItems(Passes passes) {
 
 terms::TermId ReplacedCall::After(terms::Terms& terms, terms::TermId known, const std::string& name,
                                   uint8_t width) const {
+  // One call of the code may be one of several of the program's, which have results of their own.
+  const terms::Term term = terms[known];
+  if (term.kind == terms::TermKind::kIte) {
+    const terms::TermId one = After(terms, terms::TermId(term.b), name, width);
+    return terms.Ite(terms::TermId(term.a), one, After(terms, terms::TermId(term.c), name, width));
+  }
   return terms.Apply(terms.Function(name + " after " + unit_.name, width), {&known, 1});
+}
+
+terms::TermId ReplacedCall::ResultAfter(terms::Terms& terms, terms::TermId known) const {
+  constexpr const char* kName = "the result";
+  const uint8_t width = meaning::WidthOf(program_.places[unit_.result].type);
+  if (!result_) return After(terms, known, kName, width);
+  if (result_->low == 0 && std::has_single_bit(result_->count) && result_->count > 1)
+    return terms.Zext(After(terms, known, kName, static_cast<uint8_t>(std::countr_zero(result_->count))), width);
+  const terms::TermId any = After(terms, known, kName, width), low = terms.Const(result_->low, width);
+  return terms.Ite(terms.Ult(terms.Sub(any, low), terms.Const(result_->count, width)), any, low);
 }
 
 std::vector<execute::CellChange> ReplacedCall::OnCells(execute::Memory& memory, terms::TermId hash, terms::TermId when,
@@ -235,7 +261,7 @@ std::vector<execute::CellChange> ReplacedCall::OnCells(execute::Memory& memory, 
   }
   if (unit_.result.valid()) {
     const ir::Place& place = program_.places[unit_.result];
-    spread(execute::CellsOf(program_, cells_, place), After(terms, known, "the result", meaning::WidthOf(place.type)));
+    spread(execute::CellsOf(program_, cells_, place), ResultAfter(terms, known));
   }
   return changes;
 }
@@ -335,7 +361,7 @@ terms::TermId ReplacedCall::OnCode(terms::Terms& terms, CodeMemory& memory, cons
   }
   if (request.result_width == 0) return {};
   if (!unit_.result.valid()) return misfit();
-  return After(terms, known, "the result", meaning::WidthOf(program_.places[unit_.result].type));
+  return ResultAfter(terms, known);
 }
 
 }  // namespace plcxx::prove::verify

@@ -73,8 +73,9 @@ class CallLog {
 class ReplacedCall {
  public:
   /// `parameters`: what the compiled function has left of its parameters; a local that it does not get does not matter.
+  /// `result`: what the code takes for granted of its result, which its own proof has shown.
   ReplacedCall(const emit::Emittable& emittable, const execute::Cells& cells, const StateImage& image, const Unit& unit,
-               Passes passes, const std::vector<std::string>& parameters);
+               Passes passes, const std::vector<std::string>& parameters, std::optional<NumberRange> result);
 
   const Unit& unit() const { return unit_; }
   /// Whether there is anything in it that has no place in State: then calls of it have to be followed.
@@ -110,6 +111,7 @@ class ReplacedCall {
   terms::TermId CheckedBit(terms::Terms& terms, CodeMemory& memory, terms::TermId byte) const;
   /// What a call leaves in an item.
   terms::TermId After(terms::Terms& terms, terms::TermId known, const std::string& name, uint8_t width) const;
+  terms::TermId ResultAfter(terms::Terms& terms, terms::TermId known) const;
 
   const emit::Emittable& emittable_;
   const ir::Program& program_;
@@ -117,6 +119,7 @@ class ReplacedCall {
   const StateImage& image_;
   const Unit& unit_;
   std::vector<std::string> parameters_;  // as the source declares them
+  std::optional<NumberRange> result_;
   std::vector<Item> items_;
   bool opaque_ = false;
 };

@@ -50,8 +50,9 @@ struct VerifiedProgram {
   void AddUnknown(UnitId unit) {
     if (!unit.valid()) return;
     is_unknown[unit.index] = true;
-    calls[unit.index] = std::make_unique<ReplacedCall>(emittable, cells, image, units[unit], shape.passes,
-                                                       ParametersOf(emittable, units[unit], shape.passes));
+    calls[unit.index] =
+        std::make_unique<ReplacedCall>(emittable, cells, image, units[unit], shape.passes,
+                                       ParametersOf(emittable, units[unit], shape.passes), std::nullopt);
   }
 };
 

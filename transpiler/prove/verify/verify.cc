@@ -172,7 +172,8 @@ Verification::Try Verification::ProveWith(const Unit& unit, Loops loops, Granted
 
 void Verification::Replace(UnitId id, const std::vector<std::string>& parameters, std::set<std::string> open) {
   auto call = std::make_unique<ReplacedCall>(program_.emittable, program_.cells, program_.image, program_.units[id],
-                                             program_.shape.passes, parameters);
+                                             program_.shape.passes, parameters,
+                                             program_.code.ResultRange(program_.CppName(program_.units[id])));
   if (call->is_opaque()) return;
   program_.calls[id.index] = std::move(call);
   open_[id.index] = std::move(open);

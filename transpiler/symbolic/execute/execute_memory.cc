@@ -3,6 +3,7 @@
 
 #include "transpiler/symbolic/execute/executor.h"
 #include "transpiler/symbolic/meaning/meaning.h"
+#include "transpiler/symbolic/terms/indexed_write.h"
 #include "transpiler/symbolic/terms/known_bits.h"
 #include "transpiler/symbolic/terms/look_up.h"
 
@@ -116,14 +117,15 @@ terms::TermId Executor::ReadAt(const ir::Place& place, terms::TermId index) {
   });
   // Negative indices come last as numbers without sign.
   std::ranges::sort(elements, {}, &terms::TableElement::index);
-  return terms::LookUp(terms_, index, elements, none);
+  return terms::LookUp(terms_, flow_.active, index, elements, none);
 }
 
 void Executor::WriteAt(const ir::Place& place, terms::TermId index, terms::TermId value) {
   if (!IsPresent(program_, place)) return;
+  terms::IndexedWrite write(terms_, flow_.active, index, value);
   ForEachElement(terms_, program_, place, index, [&](int64_t i, const ir::Place& element) {
-    const terms::TermId chosen = terms_.Eq(index, terms_.Const(static_cast<uint64_t>(i), 32));
-    if (!terms_.IsFalse(chosen)) WritePlace(element, terms_.Ite(chosen, value, memory_.ReadPlace(element)));
+    const auto [when, written] = write.At(terms::Masked(static_cast<uint64_t>(i), 32));
+    if (!terms_.IsFalse(when)) WritePlace(element, terms_.Ite(when, written, memory_.ReadPlace(element)));
   });
 }
 

@@ -50,7 +50,7 @@ class Gatherer {
     return {};
   }
 
-  /// By what a bit, which is no constant, may be chosen; the second one may be none.
+  /// By what a bit may be chosen; the second one may be none, and both.
   std::array<TermId, 2> ConditionsOf(TermId bit) {
     const Term term = terms_[bit];
     const auto plain = [this](uint32_t id) {
@@ -83,7 +83,8 @@ class Gatherer {
 
   /// A choice of words whose one branch is a constant has bits that are written as "and" and "or".
   TermId OfOneChoice(std::span<const TermId> bits) {
-    const auto first = std::ranges::find_if(bits, [this](TermId bit) { return !terms_.IsConst(bit); });
+    const auto first = std::ranges::find_if(bits, [this](TermId bit) { return ConditionsOf(bit).front().valid(); });
+    if (first == bits.end()) return {};
     for (const TermId condition : ConditionsOf(*first)) {
       if (!condition.valid()) break;
       if (const TermId whole = OfChoiceBy(condition, bits); whole.valid()) return whole;
@@ -94,7 +95,9 @@ class Gatherer {
   TermId OfChoiceBy(TermId condition, std::span<const TermId> bits) {
     std::vector<TermId> then, otherwise;
     for (const TermId bit : bits) {
-      const auto choice = ChoiceBy(condition, bit);
+      auto choice = ChoiceBy(condition, bit);
+      // A bit that both words have is no choice any more: the lowest one of a number and of the number negated.
+      if (!choice && !ConditionsOf(bit).front().valid()) choice = {bit, bit};
       if (!choice) return {};
       then.push_back(choice->first);
       otherwise.push_back(choice->second);

@@ -17,7 +17,8 @@ struct TableElement {
   TermId value;
 };
 
-/// `elements` ascending, each index once. `otherwise`: for every other index; none: there is no other.
-TermId LookUp(Terms& terms, TermId index, const std::vector<TableElement>& elements, TermId otherwise);
+/// `elements` ascending, each index once. `otherwise`: for every other index; none: there is no other. Where `given`
+/// does not hold, the element may be any.
+TermId LookUp(Terms& terms, TermId given, TermId index, const std::vector<TableElement>& elements, TermId otherwise);
 
 }  // namespace plcxx::terms

@@ -51,7 +51,7 @@ CodeValue FlowExecution::Call(const llvm::Function& function, std::vector<CodeVa
   Passage back = Join(std::move(returns), conditions);
   slots_ = std::move(back.slots);
   if (back.values.empty()) return {};
-  poison_.RequireValue(back.values.front(), "a result that C++ leaves undefined");
+  poison_.RequireResult(function, back.values.front());
   return std::move(back.values.front());
 }
 

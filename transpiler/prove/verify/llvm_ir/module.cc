@@ -50,6 +50,15 @@ class Code : public CompiledCode {
     return names;
   }
 
+  std::optional<NumberRange> ResultRange(const std::string& function) const override {
+    const auto found = functions_.find(function);
+    if (found == functions_.end() || !found->second->hasRetAttribute(llvm::Attribute::Range)) return std::nullopt;
+    const llvm::ConstantRange& range = found->second->getRetAttribute(llvm::Attribute::Range).getRange();
+    if (range.isFullSet() || range.isEmptySet()) return std::nullopt;
+    const llvm::APInt count = range.getUpper() - range.getLower();
+    return NumberRange{.low = range.getLower().getZExtValue(), .count = count.getZExtValue()};
+  }
+
   std::vector<int16_t> InitialBytes(const std::string& global) const override {
     const llvm::GlobalVariable* found = module_->getGlobalVariable(global, /*AllowInternal=*/true);
     if (found == nullptr || !found->hasInitializer()) return {};

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "transpiler/symbolic/terms/indexed_write.h"
 #include "transpiler/symbolic/terms/look_up.h"
 
 namespace plcxx::prove::verify::llvm_ir {
@@ -99,7 +100,7 @@ terms::TermId ObjectMemory::LoadFrom(terms::TermId when, uint32_t number, terms:
     if (at == reach.high || !terms_.IsFalse(terms_.Eq(offset, terms_.Const(at, 64))))
       elements.push_back({at, LoadAt(object, at, bytes)});
   }
-  return terms::LookUp(terms_, offset, elements, reach.beyond ? Undefined(width) : terms::TermId());
+  return terms::LookUp(terms_, terms_.And(context_, when), offset, elements, reach.beyond ? Undefined(width) : terms::TermId());
 }
 
 terms::TermId ObjectMemory::Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes) {
@@ -140,8 +141,11 @@ void ObjectMemory::StoreTo(terms::TermId when, uint32_t number, terms::TermId of
     return;
   }
   if (reach.beyond) Require(terms_.And(when, IsBeyond(reach, offset)), kOutside);
-  for (uint64_t at = reach.low; at <= reach.high; at += reach.step)
-    StoreAt(terms_.And(when, terms_.Eq(offset, terms_.Const(at, 64))), object, at, value);
+  terms::IndexedWrite write(terms_, terms_.And(context_, when), offset, value);
+  for (uint64_t at = reach.low; at <= reach.high; at += reach.step) {
+    const auto [here, written] = write.At(at);
+    StoreAt(terms_.And(when, here), object, at, written);
+  }
 }
 
 void ObjectMemory::Store(const std::vector<Target>& targets, uint64_t at, terms::TermId value) {

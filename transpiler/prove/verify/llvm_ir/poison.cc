@@ -229,6 +229,15 @@ void Poison::RequireValue(const CodeValue& value, const char* text) {
   for (const CodeValue& part : value.parts) RequireValue(part, text);
 }
 
+void Poison::RequireResult(const llvm::Function& function, const CodeValue& value) {
+  constexpr const char* kText = "a result that C++ leaves undefined";
+  RequireValue(value, kText);
+  // Callers that do not look into the function go by it.
+  if (!function.hasRetAttribute(llvm::Attribute::Range)) return;
+  const terms::TermId outside = IsOutOf(function.getRetAttribute(llvm::Attribute::Range).getRange(), value.term);
+  if (outside.valid()) Require(outside, kText);
+}
+
 void Poison::RequireArgument(const llvm::CallInst& call, const llvm::Argument& parameter, const CodeValue& value) {
   constexpr const char* kText = "an argument that C++ leaves undefined";
   // For a parameter that the function does not use the optimizer gives anything, and takes the attribute away.

@@ -34,6 +34,8 @@ class Poison : private ExecutionPart {
   terms::TermId IsOutOf(const llvm::ConstantRange& range, terms::TermId value);
 
   void RequireValue(const CodeValue& value, const char* text);
+  /// What a function returns.
+  void RequireResult(const llvm::Function& function, const CodeValue& value);
   void RequireArgument(const llvm::CallInst& call, const llvm::Argument& parameter, const CodeValue& value);
 
  private:
