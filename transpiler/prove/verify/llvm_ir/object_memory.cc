@@ -100,7 +100,8 @@ terms::TermId ObjectMemory::LoadFrom(terms::TermId when, uint32_t number, terms:
     if (at == reach.high || !terms_.IsFalse(terms_.Eq(offset, terms_.Const(at, 64))))
       elements.push_back({at, LoadAt(object, at, bytes)});
   }
-  return terms::LookUp(terms_, terms_.And(context_, when), offset, elements, reach.beyond ? Undefined(width) : terms::TermId());
+  return terms::LookUp(terms_, terms_.And(context_, when), offset, elements,
+                       reach.beyond ? Undefined(width) : terms::TermId());
 }
 
 terms::TermId ObjectMemory::Load(const std::vector<Target>& targets, uint64_t at, uint32_t bytes) {
