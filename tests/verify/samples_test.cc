@@ -29,7 +29,7 @@ constexpr Sample kSamples[] = {
     {"technol/mcv_750",
      "mcv.plc main.plc nc.plc vymena.plc vypnuti.plc TAB_MCV.TCH --dialect technol --routine init --routine fast "
      "--routine requests"},
-    {"hnc/mill_xk7132", "mill.cld --routine init --routine slow"},
+    {"hnc/mill_xk7132", "mill.cld --front-end off"},
 };
 
 std::string FolderOf(const Sample& sample) { return std::string(PLCXX_ROOT "/samples/") + sample.folder; }

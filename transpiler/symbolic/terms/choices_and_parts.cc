@@ -4,25 +4,10 @@
 #include <optional>
 #include <utility>
 
+#include "transpiler/symbolic/terms/sign_extended.h"
 #include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::terms {
-namespace {
-
-/// What Sext has made of it; none: it is something else.
-TermId SignExtended(Terms& terms, TermId id) {
-  const Term term = terms[id];
-  if (term.kind != TermKind::kConcat) return {};
-  const Term above = terms[TermId(term.a)];
-  const TermId number(term.b);
-  if (above.kind != TermKind::kIte || !terms.IsConst(TermId(above.b)) || !terms.IsZero(TermId(above.c))) return {};
-  if (terms.Value(TermId(above.b)) != Masked(~uint64_t{0}, above.width)) return {};
-  const auto sign = static_cast<uint8_t>(terms.Width(number) - 1);
-  return TermId(above.a) == terms.Extract(number, sign, 1) ? number : TermId();
-}
-
-}  // namespace
-
 TermId Terms::EqOfConst(TermId a, TermId constant) {
   const Term term = terms_[a.index];
   const uint64_t value = Value(constant);

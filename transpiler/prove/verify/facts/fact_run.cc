@@ -10,6 +10,7 @@
 #include "transpiler/symbolic/solver/model.h"
 #include "transpiler/symbolic/solver/sweep.h"
 #include "transpiler/symbolic/terms/cone.h"
+#include "transpiler/symbolic/terms/intervals.h"
 
 namespace plcxx::prove::verify::facts {
 namespace {
@@ -186,7 +187,8 @@ std::vector<Shown> FactRun::Decide(Attempt& attempt) {
   std::vector<solver::TermPair> pairs;
   for (const Question& question : attempt.questions) {
     const terms::TermId given = attempt.relation->Later(question.given);
-    pairs.push_back({terms.Bit(false), terms.And(question.when, given)});
+    const terms::TermId wrong = terms.And(question.when, given);
+    pairs.push_back({terms.Bit(false), terms::NeverHolds(terms, wrong) ? terms.Bit(false) : wrong});
   }
   solver::SweepLimits sweep;
   sweep.pair_ms = limits_.question_ms;
