@@ -20,7 +20,8 @@ constexpr uint32_t kDeepest = 24;  // of nested ifs: readers and compilers have 
 
 struct Nester {
   ir::Program& program;
-  std::vector<uint32_t> exits;  // by InstId of a block: how many Exits name it
+  std::vector<uint32_t> exits;  // by InstId of a block: how many Exits name it, those that became ifs included
+  std::vector<uint32_t> left;   // the same: how many still leave it
   bool retargeted = false;      // exits of an outer block were given to an inner one
 
   void Visit(RegionId region, uint32_t depth);
@@ -69,6 +70,7 @@ RegionId Nester::TakeRest(RegionId region, size_t from) {
 
 void Nester::DropLast(RegionId region) {
   const InstId last = program.regions[region].insts.back();
+  --left[program[last].payload];
   program.regions[region].insts.pop_back();
   ir::Forget(program[last]);
 }
@@ -78,6 +80,7 @@ void Nester::SinkConditional(RegionId region, size_t at) {
   const RegionId rest = TakeRest(region, at + 1);
   const InstId id = program.regions[region].insts[at];
   const Inst exit = program[id];
+  --left[exit.payload];
   uint32_t condition = exit.a;
   if (program[ir::ValueId(condition)].op == OpKind::kBitNot) {
     condition = program[ir::ValueId(condition)].a;
@@ -100,6 +103,7 @@ void Nester::SinkUnconditional(RegionId region, size_t at) {
   const InstId id = program.regions[region].insts[at];
   const RegionId rest = TakeRest(region, at + 1);
   const source::Range range = program[id].range;
+  --left[program[id].payload];
   const InstId never =
       program.insts.Add({.op = OpKind::kConst, .type = ir::Type::kBit, .range = range, .a = 0, .b = 0, .c = 10});
   program.regions[region].insts.insert(program.regions[region].insts.end() - 1, never);
@@ -154,6 +158,8 @@ void Nester::Retarget(RegionId region, size_t at, InstId block) {
       if (exit.op != OpKind::kExit || exit.payload != block.index) return;
       exit.payload = id.index;
       ++exits[id.index];
+      ++left[id.index];
+      --left[block.index];
       retargeted = true;
     });
   }
@@ -183,7 +189,7 @@ bool Nester::Nest(InstId block, uint32_t depth) {
   if (exits[block.index] > 0 && exits[block.index] <= kMostNestedExits && depth + exits[block.index] <= kDeepest) {
     Sink(RegionId(program[block].a), block);
   }
-  return !RegionHasExit(RegionId(program[block].a), block);
+  return left[block.index] == 0;
 }
 
 void Nester::Visit(RegionId region, uint32_t depth) {
@@ -212,17 +218,24 @@ void Nester::Visit(RegionId region, uint32_t depth) {
 }  // namespace
 
 void NestBlocks(ir::Program& program) {
-  Nester nester{.program = program, .exits = std::vector<uint32_t>(program.insts.size())};
+  Nester nester{.program = program,
+                .exits = std::vector<uint32_t>(program.insts.size()),
+                .left = std::vector<uint32_t>(program.insts.size())};
   bool any = false;
   for (const Inst& inst : program.insts) {
     if (inst.op == OpKind::kExit) ++nester.exits[inst.payload];
     any = any || inst.op == OpKind::kBlock;
   }
   if (!any) return;
+  const auto count = [&](InstId id) {
+    if (program[id].op == OpKind::kExit) ++nester.left[program[id].payload];
+  };
   for (uint32_t i = 0; i < program.routines.size(); ++i) {
     const ir::Routine routine = program.routines[ir::RoutineId(i)];
     for (const RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
-      if (region.valid()) nester.Visit(region, 0);
+      if (!region.valid()) continue;
+      ir::ForEachInst(program, region, count);
+      nester.Visit(region, 0);
     }
   }
 }

@@ -59,6 +59,12 @@ def jumps_anywhere(n):
             "".join(f"L{i}: LDR A\n WR B\n LDR C\n JL1 L{(i * 7919 + 13) % n}\n" for i in range(n)) + " MODULE_MAIN_END\n STOP\n")
 
 
+def waits(n):
+    """With a jump from one into another one that is not the next: the choice among them has a label for each."""
+    return (" DATA\nF: DFM A,B,C,D\n DATA_END\n MECH_BEGIN M\n LDR A\n JL1 LATE\n" + " EX\n" * n + "LATE: EX\n MECH_END M\n" +
+            " MODULE_MAIN\n LDR A\n FL 1,M\n MODULE_MAIN_END\n STOP\n")
+
+
 def entries(n):
     """Subprograms of which each runs on into the next one: more than a byte has numbers for."""
     return technol(" CALL S{i}\n")(n).replace(" STOP\n", "".join(f"S{i}: LDR A\n WR B\n" for i in range(n)) + " RET\n STOP\n")
@@ -127,6 +133,7 @@ KINDS = {
         "loops-in-each-other": lambda n: (" DATA\nWA: DS 2\n DATA_END\n MODULE_MAIN\n" +
                                           nests("L{l}: INC WA\n", " DEC WA\n JNZ L{l}\n", 300)(n) + " MODULE_MAIN_END\n STOP\n"),
         "jumps-anywhere": lambda n: jumps_anywhere(min(n // 4, 600)),
+        "waits": waits,
         "entries": lambda n: entries(min(n // 3, 600)),
         "macro": lambda n: ("M MACRO X\n LDR X\n WR B\nENDM\n" + technol(" M A\n")(n)),
         "data": lambda n: (" DATA\nF: DFM A,B,C,D\n" + "".join(f"D{i}: DS 1\n" for i in range(n // 2)) + " DATA_END\n MODULE_MAIN\n" +
