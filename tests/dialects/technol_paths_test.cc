@@ -65,6 +65,28 @@ TEST(TechnolPaths, SixteenCallsDeepAtMost) {
   EXPECT_THAT(Reported("CALL S1\n", {"TE"}, chain), ElementsAre("33 TE051"));
 }
 
+/// A mechanism with so many waits, and what stands behind them.
+std::string Waiting(size_t waits, const std::string& before = "", const std::string& behind = "") {
+  std::string code = "MECH_BEGIN M\n" + before;
+  for (size_t i = 0; i < waits; ++i) code += "EX\n";
+  return code + behind + "MECH_END M\n";
+}
+
+TEST(TechnolPaths, AMechanismGoesOnAtNoMorePlacesThanAWordNumbers) {
+  LoweredProgram most;
+  LowerInto(most, TechnolProgram("FL 1,M\n", Waiting(65535)));
+  EXPECT_THAT(most.Reported({"TE"}), IsEmpty());
+  const std::vector<std::string> lines = most.Routine("mech_M");
+  EXPECT_THAT(lines, testing::Contains(testing::HasSubstr("case 65535 ")));
+  EXPECT_THAT(lines, testing::Contains(testing::HasSubstr("const i16 65535")));
+  EXPECT_THAT(Reported("FL 1,M\n", {"TE"}, Waiting(65536)), ElementsAre("65539 TE078"));
+  // A label counts where a jump leads back to it across a wait, and not where it begins the mechanism.
+  const std::string back = "LDR A\nJL1 L\n";
+  EXPECT_THAT(Reported("FL 1,M\n", {"TE"}, Waiting(65534, "FL 1,B\nL: FL 0,B\n", back)), IsEmpty());
+  EXPECT_THAT(Reported("FL 1,M\n", {"TE"}, Waiting(65535, "FL 1,B\nL: FL 0,B\n", back)), ElementsAre("65540 TE078"));
+  EXPECT_THAT(Reported("FL 1,M\n", {"TE"}, Waiting(65535, "L: FL 0,B\n", back)), IsEmpty());
+}
+
 // covers: TECHNOL-154
 TEST(TechnolPaths, PushAndPop) {
   EXPECT_THAT(Reported("MOV AX,1\nPUSH AX\nPOP BX\nMOV W,BX\n", {"TE"}), IsEmpty());

@@ -46,6 +46,7 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
   CheckPaths(flow, diagnostics);
   CheckStack(flow, diagnostics);
   CheckLoads(flow, diagnostics);
+  if (!diagnostics.HasErrors()) CheckResumePoints(flow, diagnostics);
   if (diagnostics.HasErrors()) return lowered;
   if (!tree.tables_only) {
     WarnOfPaths(flow, diagnostics);

@@ -1,5 +1,8 @@
 #include "transpiler/dialects/technol/analysis/flow_checks.h"
 
+#include <algorithm>
+
+#include "transpiler/dialects/technol/analysis/resume_points.h"
 #include "transpiler/dialects/technol/parser/parser.h"
 
 namespace plcxx::technol {
@@ -72,6 +75,24 @@ void CheckPaths(const Flow& flow, diag::Engine& diagnostics) {
     if (IsWait(instruction.op) && !instruction.faulty && !flow.MayWait(instruction)) {
       Report(diagnostics, program, instruction, diag::TechnolWaitOutside, ToText(program, instruction));
     }
+  }
+}
+
+void CheckResumePoints(const Flow& flow, diag::Engine& diagnostics) {
+  const Program& program = flow.program();
+  for (const Root& root : flow.roots()) {
+    const std::vector<InstructionId> instructions = InstructionsOf(flow, root);
+    if (instructions.size() <= kMostResumePoints) continue;
+    const std::vector<InstructionId> points = ResumePointsOf(flow, instructions).points;
+    if (points.size() <= kMostResumePoints) continue;
+    // The wait that goes on there shows more of the fault than what stands behind it.
+    const InstructionId first = points[kMostResumePoints];
+    const auto wait = std::ranges::find_if(instructions, [&](InstructionId id) {
+      return IsWait(program.instructions[id].op) && flow.ResumeOf(id) == first;
+    });
+    const Instruction& at = program.instructions[wait == instructions.end() ? first : *wait];
+    Report(diagnostics, program, at, diag::TechnolTooManyWaits, program.units[root.unit].name,
+           static_cast<int64_t>(kMostResumePoints));
   }
 }
 

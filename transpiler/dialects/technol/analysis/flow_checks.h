@@ -1,5 +1,5 @@
 // What is wrong with the paths through a program, and what is suspicious on them (specification 6.4, 6.7, 6.9, 10.2,
-// 10.3): TE049 to TE051, TE056 to TE058, TE071, TE072; TW005, TW020, TW022, TW023, TW026.
+// 10.3): TE049 to TE051, TE056 to TE058, TE071, TE072, TE078; TW005, TW020, TW022, TW023, TW026.
 #pragma once
 
 #include "transpiler/diagnostics/diagnostics.h"
@@ -13,6 +13,8 @@ void CheckPaths(const Flow& flow, diag::Engine& diagnostics);
 void CheckStack(const Flow& flow, diag::Engine& diagnostics);
 /// Values that are read before anything is loaded: TE056, TE057, TE072, TW023.
 void CheckLoads(const Flow& flow, diag::Engine& diagnostics);
+/// More places to go on at than a step has numbers for (TE078); only of a program without errors.
+void CheckResumePoints(const Flow& flow, diag::Engine& diagnostics);
 /// Warnings; only of a program without errors.
 void WarnOfPaths(const Flow& flow, diag::Engine& diagnostics);
 

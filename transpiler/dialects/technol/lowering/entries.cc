@@ -1,37 +1,14 @@
 #include "transpiler/dialects/technol/lowering/entries.h"
 
-#include <algorithm>
+#include <utility>
+
+#include "transpiler/dialects/technol/analysis/resume_points.h"
 
 namespace plcxx::technol {
-namespace {
-
-void FindEntries(const Flow& flow, Routine& routine) {
-  std::vector<InstructionId>& entries = routine.entries;
-  const auto add = [&](InstructionId id) {
-    if (id == routine.instructions.front()) return;  // step 0
-    const auto at = std::lower_bound(entries.begin(), entries.end(), id);
-    if (at == entries.end() || *at != id) entries.insert(at, id);
-  };
-  for (const InstructionId id : routine.instructions) {
-    if (IsWait(flow.program().instructions[id].op)) add(flow.ResumeOf(id));
-  }
-  // Each new one may be between another jump and its label.
-  for (size_t count = 0; count != entries.size();) {
-    count = entries.size();
-    for (const InstructionId id : routine.instructions) {
-      flow.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
-        if (edge != Edge::kJump || to > id || routine.SegmentOf(to) == routine.SegmentOf(id)) return;
-        routine.goes_back = true;
-        add(to);
-      });
-    }
-  }
-}
-
-}  // namespace
-
 void FindSegments(const Flow& flow, Routine& routine) {
-  FindEntries(flow, routine);
+  ResumePoints resumes = ResumePointsOf(flow, routine.instructions);
+  routine.entries = std::move(resumes.points);
+  routine.goes_back = resumes.goes_back;
   if (routine.entries.empty()) return;
   for (const InstructionId id : routine.instructions) {
     bool crosses = false;

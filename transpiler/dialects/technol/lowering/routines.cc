@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/dialects/technol/analysis/resume_points.h"
 #include "transpiler/dialects/technol/analysis/subprogram_groups.h"
 #include "transpiler/dialects/technol/lowering/entries.h"
 
@@ -19,11 +20,7 @@ Routines::Routines(const Flow& flow, const Settings& settings)
 void Routines::FindUnits() {
   for (const Root& root : flow_.roots()) {
     Routine routine{.unit = root.unit};
-    for (uint32_t i = root.at.index; i <= tree_.units[root.unit].end.index; ++i) {
-      const Instruction& instruction = tree_.instructions[InstructionId(i)];
-      const bool own = instruction.unit == root.unit || instruction.mechanism == root.unit;
-      if (own && flow_.IsReached(InstructionId(i))) routine.instructions.push_back(InstructionId(i));
-    }
+    routine.instructions = InstructionsOf(flow_, root);
     FindSegments(flow_, routine);
     routine_of_unit_[root.unit.index] = static_cast<uint32_t>(routines_.size());
     routines_.push_back(std::move(routine));
