@@ -55,6 +55,27 @@ TEST(HncLimits, TenMillionRoundsAreAllowed) {
       ElementsAre("5 E032", "5 E032"));
 }
 
+TEST(HncLimits, TwoHundredFiftyFiveHandlersAreChosenAmong) {
+  const auto handlers = [](int count, std::string_view condition, int channels = 1) {
+    std::string functions, calls;
+    for (int i = 0; i < count; ++i) {
+      const std::string number = std::to_string(i), channel = std::to_string(i % channels);
+      functions += "void h" + number + "(int ch) { mod_M_code(ch) = -1; }\n";
+      calls += std::string(condition) + "set_mst_func(" + channel + ", 'M', h" + number + ");\n";
+    }
+    LoweredProgram lowered;
+    LowerInto(lowered, "#include \"plc.h\"\n" + functions + "void init() { plc1_time = 16; plc2_time = 32;\n" + calls +
+                           "}\nvoid plc1() { }\nvoid plc2() { }\n");
+    std::vector<std::string> reported = lowered.Reported();
+    std::erase_if(reported, [](const std::string& line) { return line.find(" W") != std::string::npos; });
+    return reported;
+  };
+  EXPECT_THAT(handlers(255, "if (P[0]) "), IsEmpty());
+  EXPECT_THAT(handlers(257, "if (P[0]) "), ElementsAre("515 E046"));  // the first one that is too many, once
+  EXPECT_THAT(handlers(257, ""), IsEmpty());                          // the last one counts: there is no choice
+  EXPECT_THAT(handlers(510, "if (P[0]) ", 2), IsEmpty());             // of each channel
+}
+
 TEST(HncLimits, APointerRefersToSixteenObjects) {
   const auto pointers = [](int count) {
     std::string variables = "#include <string.h>\nint a0", choice = "p = &a0;";

@@ -1,13 +1,17 @@
 // Recursion and call depth (specification 6.4), calls of set_mst_func (7.3).
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include "transpiler/dialects/hnc/analysis/checks.h"
+#include "transpiler/dialects/hnc/analysis/registrations.h"
 
 namespace plcxx::hnc {
 namespace {
 
 constexpr uint32_t kMostDepth = 64;
+constexpr size_t kMostHandlers = 255;  // what is registered is kept as a byte, which is 0 for nothing
 
 struct CallSite {
   FunctionId callee;
@@ -177,11 +181,28 @@ void CheckRegistrations(const CheckContext& context) {
   }
 }
 
+/// Handlers of one channel and kind that are chosen at run time.
+void CheckNumberOfHandlers(const CheckContext& context) {
+  if (context.diagnostics.HasErrors() || context.facts.registrations().size() <= kMostHandlers) return;
+  const FixedHandlers fixed = FindFixedHandlers(context.unit, context.facts);
+  std::array<std::array<std::set<FunctionId>, kHandlerKinds.size()>, 4> handlers;
+  for (const Registration& registration : context.facts.registrations()) {
+    if (!registration.function.valid() || fixed[registration.channel][registration.kind]) continue;
+    std::set<FunctionId>& known = handlers[registration.channel][registration.kind];
+    if (!known.insert(registration.function).second || known.size() != kMostHandlers + 1) continue;
+    context.diagnostics.Report(context.unit.expressions[registration.call].range, diag::HncSetMstFunc,
+                               std::string("more than ") + std::to_string(kMostHandlers) + " handlers for '" +
+                                   kHandlerKinds[registration.kind] + "' of channel " +
+                                   std::to_string(registration.channel) + "; register one that chooses what it calls");
+  }
+}
+
 }  // namespace
 
 void CheckCalls(const CheckContext& context) {
   CallGraph(context).Run();
   CheckRegistrations(context);
+  CheckNumberOfHandlers(context);
 }
 
 }  // namespace plcxx::hnc
