@@ -133,7 +133,7 @@ KINDS = {
         "loops-in-each-other": lambda n: (" DATA\nWA: DS 2\n DATA_END\n MODULE_MAIN\n" +
                                           nests("L{l}: INC WA\n", " DEC WA\n JNZ L{l}\n", 300)(n) + " MODULE_MAIN_END\n STOP\n"),
         "jumps-anywhere": lambda n: jumps_anywhere(min(n // 4, 600)),
-        "waits": waits,
+        "waits": lambda n: waits(n // 8),  # a report of it grows with the square: each wait is inside all that follow
         "entries": lambda n: entries(min(n // 3, 600)),
         "macro": lambda n: ("M MACRO X\n LDR X\n WR B\nENDM\n" + technol(" M A\n")(n)),
         "data": lambda n: (" DATA\nF: DFM A,B,C,D\n" + "".join(f"D{i}: DS 1\n" for i in range(n // 2)) + " DATA_END\n MODULE_MAIN\n" +
