@@ -112,6 +112,22 @@ TEST(Intervals, WhatNeverHoldsHasNoValue) {
   EXPECT_GT(never, 20);
 }
 
+/// Conditions and choices may be as long as a program.
+TEST(Intervals, LongRowsEndEarly) {
+  Terms terms;
+  TermId row = terms.Variable("first", 1), choice = terms.Variable("choice", 8), sum = choice;
+  for (int i = 0; i < 100'000; ++i) {
+    const TermId bit = terms.Variable("bit", 1);
+    row = i % 2 == 0 ? terms.And(row, bit) : terms.Or(row, bit);
+    choice = terms.Ite(terms.Ult(choice, terms.Const(static_cast<uint64_t>(i) & 127, 8)), sum, choice);
+    sum = terms.Xor(terms.Add(sum, terms.Const(3, 8)), terms.Const(5, 8));
+  }
+  EXPECT_FALSE(NeverHolds(terms, terms.And(row, terms.Ult(choice, terms.Const(4, 8)))));
+  TermId all = terms.Bit(true);
+  for (int i = 0; i < 100'000; ++i) all = terms.And(all, terms.Variable("bit", 1));
+  EXPECT_FALSE(NeverHolds(terms, all));
+}
+
 /// A speed of 16 bits in percent of another one, in steps of a converter: no division is larger than what it divides.
 TEST(Intervals, ProductsAndQuotientsOfSmallNumbers) {
   Terms terms;

@@ -10,12 +10,12 @@
 namespace plcxx::terms {
 namespace {
 
-constexpr uint32_t kMostComputed = 20'000;
-constexpr uint32_t kMostDepth = 12;    // of branches in branches whose conditions are looked at
-constexpr size_t kMostConjuncts = 64;  // of a condition
-constexpr int kMostAlternatives = 4;   // "or" in "or"
-constexpr int kRounds = 3;             // a bound may follow from another one that comes later
-constexpr uint8_t kWidest = 32;        // products of such numbers fit into 64 bits
+constexpr uint32_t kMostComputed = 5'000;  // Of and Assume go as deep
+constexpr uint32_t kMostDepth = 12;        // of branches in branches whose conditions are looked at
+constexpr size_t kMostConjuncts = 64;      // of a condition
+constexpr int kMostAlternatives = 4;       // "or" in "or"
+constexpr int kRounds = 3;                 // a bound may follow from another one that comes later
+constexpr uint8_t kWidest = 32;            // products of such numbers fit into 64 bits
 
 int64_t Least(uint8_t width) { return AsSigned(uint64_t{1} << (width - 1), width); }
 int64_t Greatest(uint8_t width) { return static_cast<int64_t>(support::LowBits(width - 1U)); }
@@ -355,6 +355,7 @@ void Intervals::Restrict(TermId id, const Interval& bounds) {
 }
 
 bool Intervals::Assume(TermId condition, bool value) {
+  if (++steps_ > kMostComputed) return !contradicts_;
   const Term term = terms_[condition];
   const TermId a(term.a), b(term.b);
   const Interval here = Of(condition);
