@@ -101,15 +101,14 @@ TEST_F(IndexedWriteTest, AnElementThatCannotBeReadNeedsNoChoice) {
 TEST_F(IndexedWriteTest, BitsThatAConditionTells) {
   const TermId condition =
       terms_.And(terms_.Ult(a_, terms_.Const(16, 8)), terms_.And(terms_.Extract(b_, 1, 1), terms_.Extract(a_, 0, 1)));
-  const terms::KnownIndexBits known = terms::KnownWhere(terms_, condition, terms::Specialization::kMostBits);
+  const terms::KnownIndexBits known = terms::KnownWhere(terms_, condition);
   ASSERT_EQ(known.bits.size(), 6U);
   EXPECT_EQ(known.ones, 0b100001U) << "a is odd, b has its high bit";
   EXPECT_EQ(known.zeros, 0b011110U) << "a is small";
-  EXPECT_EQ(
-      terms::Specialization(terms_, terms_.Add(a_, terms_.Zext(b_, 8)), known.bits).Where(known.ones, known.zeros),
-      terms_.Add(terms_.Concat(terms_.Concat(terms_.Const(0, 4), terms_.Extract(a_, 1, 3)), terms_.Bit(true)),
-                 terms_.Concat(terms_.Const(1, 7), terms_.Extract(b_, 0, 1))));
-  EXPECT_TRUE(terms::KnownWhere(terms_, terms_.Bit(false), 32).bits.empty());
+  EXPECT_EQ(terms::WhereKnown(terms_, terms_.Add(a_, terms_.Zext(b_, 8)), known),
+            terms_.Add(terms_.Concat(terms_.Concat(terms_.Const(0, 4), terms_.Extract(a_, 1, 3)), terms_.Bit(true)),
+                       terms_.Concat(terms_.Const(1, 7), terms_.Extract(b_, 0, 1))));
+  EXPECT_TRUE(terms::KnownWhere(terms_, terms_.Bit(false)).bits.empty());
 }
 
 }  // namespace

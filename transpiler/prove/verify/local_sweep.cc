@@ -273,10 +273,8 @@ terms::TermId LocalSweep::WithoutImplied(terms::TermId id) {
   if (outer.kind != terms::TermKind::kIte) return id;
   const terms::Term inner = terms_[terms::TermId(outer.b)];
   if (inner.kind != terms::TermKind::kIte || inner.c != outer.c) return id;
-  const terms::KnownIndexBits known =
-      terms::KnownWhere(terms_, terms::TermId(inner.a), terms::Specialization::kMostBits);
-  const terms::TermId condition =
-      terms::Specialization(terms_, terms::TermId(outer.a), known.bits).Where(known.ones, known.zeros);
+  const terms::KnownIndexBits known = terms::KnownWhere(terms_, terms::TermId(inner.a));
+  const terms::TermId condition = terms::WhereKnown(terms_, terms::TermId(outer.a), known);
   if (!terms_.IsConst(condition)) return id;
   return terms::TermId(terms_.IsTrue(condition) ? outer.b : outer.c);
 }

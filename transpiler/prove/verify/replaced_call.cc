@@ -99,14 +99,12 @@ terms::TermId CallLog::CalledByCode(const ReplacedCall& call, std::vector<terms:
       expected[i] = terms_.Ite(entry->when, entry->arguments[i], expected[i]);
   }
   for (Entry* entry : entries) entry->taken.push_back(when);
-  const terms::KnownIndexBits known_bits = terms::KnownWhere(terms_, when, terms::Specialization::kMostBits);
-  const auto there = [&](terms::TermId id) {
-    return terms::Specialization(terms_, id, known_bits.bits).Where(known_bits.ones, known_bits.zeros);
-  };
+  const terms::KnownIndexBits there = terms::KnownWhere(terms_, when);
   for (size_t i = 0; i < arguments.size(); ++i) {
     if (expected[i] == arguments[i]) continue;
     // Where the code does not come here, its call is none.
-    const terms::TermId code = there(arguments[i]), program = terms_.Ite(when, there(expected[i]), code);
+    const terms::TermId code = terms::WhereKnown(terms_, arguments[i], there);
+    const terms::TermId program = terms_.Ite(when, terms::WhereKnown(terms_, expected[i], there), code);
     if (program != code) claims_.push_back({.call = &call, .program = program, .code = code});
   }
   return known;

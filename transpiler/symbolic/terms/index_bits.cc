@@ -11,6 +11,7 @@ namespace plcxx::terms {
 namespace {
 
 constexpr size_t kMostBits = 16;
+constexpr size_t kMostKnown = 32;   // bits of KnownIndexBits::ones
 constexpr size_t kMostParts = 32;   // of a condition
 constexpr size_t kMostTerms = 200;  // of an index that is computed for all values of its bits
 
@@ -147,7 +148,7 @@ std::vector<bool> PossibleWhere(const Terms& terms, TermId condition, const std:
   return possible;
 }
 
-KnownIndexBits KnownWhere(const Terms& terms, TermId condition, size_t most) {
+KnownIndexBits KnownWhere(const Terms& terms, TermId condition) {
   std::map<IndexBit, bool> known;
   ForEachPart(terms, condition, [&](TermId part, BitsOf& of, const std::vector<IndexBit>& of_part) {
     const std::vector<uint64_t> holds = AllValues(terms, part, of.CutCone(part), of_part);
@@ -159,7 +160,7 @@ KnownIndexBits KnownWhere(const Terms& terms, TermId condition, size_t most) {
     }
     // Where it never holds, nothing is to be known.
     if ((ones & zeros) != 0) return;
-    for (size_t i = 0; i < of_part.size() && known.size() < most; ++i) {
+    for (size_t i = 0; i < of_part.size() && known.size() < kMostKnown; ++i) {
       if (((ones | zeros) >> i & 1) != 0) known.emplace(of_part[i], (ones >> i & 1) != 0);
     }
   });

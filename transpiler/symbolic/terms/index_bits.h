@@ -28,8 +28,8 @@ struct KnownIndexBits {
   std::vector<IndexBit> bits;    // ascending
   uint32_t ones = 0, zeros = 0;  // by their places
 };
-/// At most `most` of them: those that parts of the condition are about, each by itself.
-KnownIndexBits KnownWhere(const Terms& terms, TermId condition, size_t most);
+/// At most 32 of them: those that parts of the condition are about, each by itself.
+KnownIndexBits KnownWhere(const Terms& terms, TermId condition);
 /// Which values of the bits a condition leaves possible: the parts of it that are about these bits alone are looked at.
 std::vector<bool> PossibleWhere(const Terms& terms, TermId condition, const std::vector<IndexBit>& bits);
 

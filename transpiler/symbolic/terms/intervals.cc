@@ -48,6 +48,14 @@ Interval Without(uint64_t low, uint64_t high, uint8_t width) {
   return Fitted(one, width);
 }
 
+/// What is in both.
+Interval Common(const Interval& a, const Interval& b) {
+  return {.low = std::max(a.low, b.low),
+          .high = std::min(a.high, b.high),
+          .least = std::max(a.least, b.least),
+          .greatest = std::min(a.greatest, b.greatest)};
+}
+
 bool IsEmpty(const Interval& one) { return one.low > one.high || one.least > one.greatest; }
 
 /// What a computation without a limit gives, where it does not wrap; numbers are below 2^63 by kWidest.
@@ -180,36 +188,10 @@ Interval Joined(const Interval& a, const Interval& b) {
 /// Whether Assume learns from a condition: most ask for a bit.
 bool SaysBounds(const Terms& terms, TermId condition) {
   const Term term = terms[condition];
-  switch (term.kind) {
-    case TermKind::kNot:
-      return SaysBounds(terms, TermId(term.a));
-    case TermKind::kAnd:
-    case TermKind::kOr:
-    case TermKind::kEq:
-    case TermKind::kUlt:
-    case TermKind::kSlt:
-      return true;
-    case TermKind::kExtract:
-      return term.width == 1 && term.b == terms.Width(TermId(term.a)) - 1U;
-    case TermKind::kConst:
-    case TermKind::kVariable:
-    case TermKind::kXor:
-    case TermKind::kAdd:
-    case TermKind::kSub:
-    case TermKind::kMul:
-    case TermKind::kUdiv:
-    case TermKind::kUrem:
-    case TermKind::kSdiv:
-    case TermKind::kSrem:
-    case TermKind::kShl:
-    case TermKind::kLshr:
-    case TermKind::kAshr:
-    case TermKind::kIte:
-    case TermKind::kConcat:
-    case TermKind::kApply:
-      return false;
-  }
-  return false;
+  if (term.kind == TermKind::kNot) return SaysBounds(terms, TermId(term.a));
+  if (term.kind == TermKind::kExtract) return term.width == 1 && term.b == terms.Width(TermId(term.a)) - 1U;
+  constexpr std::array kKinds = {TermKind::kAnd, TermKind::kOr, TermKind::kEq, TermKind::kUlt, TermKind::kSlt};
+  return std::ranges::find(kKinds, term.kind) != kKinds.end();
 }
 
 Interval OfPart(const Interval& a, uint8_t low, uint8_t of_width, uint8_t width) {
@@ -324,12 +306,7 @@ Interval Intervals::Of(TermId id) {
   const uint8_t width = terms_.Width(id);
   Interval one = Fitted(Compute(id), width);
   if (const auto assumed = assumed_.find(id.index); assumed != assumed_.end()) {
-    const Interval& bounds = assumed->second;
-    const Interval both = Fitted({.low = std::max(one.low, bounds.low),
-                                  .high = std::min(one.high, bounds.high),
-                                  .least = std::max(one.least, bounds.least),
-                                  .greatest = std::min(one.greatest, bounds.greatest)},
-                                 width);
+    const Interval both = Fitted(Common(one, assumed->second), width);
     if (IsEmpty(both)) {
       contradicts_ = true;
     } else {
@@ -343,13 +320,8 @@ Interval Intervals::Of(TermId id) {
 void Intervals::Restrict(TermId id, const Interval& bounds) {
   const auto [at, is_new] = assumed_.try_emplace(id.index, AnyOf(terms_.Width(id)));
   const Interval old = at->second;
-  const Interval now{.low = std::max(old.low, bounds.low),
-                     .high = std::min(old.high, bounds.high),
-                     .least = std::max(old.least, bounds.least),
-                     .greatest = std::min(old.greatest, bounds.greatest)};
-  const bool same =
-      now.low == old.low && now.high == old.high && now.least == old.least && now.greatest == old.greatest;
-  if (same) return;
+  const Interval now = Common(old, bounds);
+  if (now == old) return;
   before_.emplace_back(id.index, old);
   at->second = now;
 }

@@ -18,6 +18,7 @@ namespace plcxx::terms {
 struct Interval {
   uint64_t low = 0, high = 0;
   int64_t least = 0, greatest = 0;
+  bool operator==(const Interval&) const = default;
 };
 
 class Intervals {

@@ -77,4 +77,9 @@ TermId Specialization::Of(TermId id) {
   return now;
 }
 
+TermId WhereKnown(Terms& terms, TermId term, const KnownIndexBits& known) {
+  if (known.bits.empty()) return term;
+  return Specialization(terms, term, known.bits).Where(known.ones, known.zeros);
+}
+
 }  // namespace plcxx::terms

@@ -12,9 +12,7 @@ namespace plcxx::terms {
 
 class Specialization {
  public:
-  static constexpr size_t kMostBits = 32;
-
-  /// `bits`: those that may be known, ascending, at most kMostBits.
+  /// `bits`: those that may be known, ascending, at most 32.
   Specialization(Terms& terms, TermId term, const std::vector<IndexBit>& bits);
 
   /// The term where these of the bits, by their places, are 1 and 0.
@@ -30,5 +28,8 @@ class Specialization {
   std::unordered_map<uint32_t, uint32_t> dependent_;
   std::unordered_map<uint32_t, TermId> known_;  // of one Where; looked up only
 };
+
+/// The term where these bits are what they are known to be.
+TermId WhereKnown(Terms& terms, TermId term, const KnownIndexBits& known);
 
 }  // namespace plcxx::terms
