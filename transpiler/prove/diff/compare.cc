@@ -99,6 +99,14 @@ Sought SoughtOf(const Comparison& comparison) {
   return sought;
 }
 
+/// Whether longer runs may tell something that is not known.
+bool IsAnySought(const Comparison& comparison) {
+  if (!comparison.runs.find_different) return false;
+  return std::ranges::any_of(comparison.results, [&comparison](const PairResult& result) {
+    return result.verdict == PairVerdict::kUndecided && comparison.runs.is_sought(result.old_cell);
+  });
+}
+
 /// Gives how many open pairs differ.
 uint32_t MarkDifferent(Comparison& comparison, Effort effort, uint64_t most_ms = 0) {
   if (!comparison.runs.find_different) return 0;
@@ -388,8 +396,7 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
   }
   // What is left of the time is used while something is open.
   constexpr uint64_t kStatesShare = 12, kRoundShare = 8;
-  while (runs.find_different && comparison.UndecidedCount() > 0 &&
-         comparison.RestMs() > limits.total_ms / kStatesShare + limits.total_ms / 100) {
+  while (IsAnySought(comparison) && comparison.RestMs() > limits.total_ms / kStatesShare + limits.total_ms / 100) {
     const auto share_ms = [&] {
       const uint64_t rest_ms = comparison.RestMs() - std::min(comparison.RestMs(), limits.total_ms / kStatesShare);
       return std::min(rest_ms, std::max<uint64_t>(1, limits.total_ms / kRoundShare));

@@ -91,6 +91,8 @@ struct SimulatedRuns {
   /// Gives those of all pairs of which running both versions shows a difference. `most_ms` is for a lasting search; the
   /// others know what they may cost.
   std::function<std::vector<execute::CellId>(const Sought& sought, Effort effort, uint64_t most_ms)> find_different;
+  /// Whether find_different looks for a difference of an open pair: of a word that differs no other bit is of interest.
+  std::function<bool(execute::CellId old_cell)> is_sought;
   /// Calls `visit` with states that find_different has come by, after a period or a fast part.
   std::function<void(Which which, const std::function<void(const invariants::CellValues&, uint64_t now_ms)>& visit)>
       for_each_seen_state;

@@ -248,19 +248,19 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   std::optional<DirectedSearch> search;
   uint32_t round = 0;
   bool scenarios_are_run = false;
+  const auto is_seen = [&runs](CellId cell) { return runs.difference_of.contains(cell); };
+  // Of a word that differs the other bits are not looked for any longer.
+  const auto is_sought = [&](CellId cell) {
+    return !is_seen(cell) && std::ranges::none_of(old_named.words.WordOf(cell).cells, is_seen);
+  };
   const auto find_different = [&](const prove::diff::Sought& sought, prove::diff::Effort effort, uint64_t most_ms) {
     using prove::diff::Effort;
     const auto part = [&](uint64_t share) {
       return std::min(compare_end, Clock::now() + std::chrono::milliseconds(options.time_ms / share));
     };
-    // Of a word that differs the other bits are not looked for any longer.
     const auto open = [&] {
       std::vector<CellId> cells = sought.open;
-      std::erase_if(cells, [&](CellId cell) {
-        return runs.difference_of.contains(cell) ||
-               std::ranges::any_of(old_named.words.WordOf(cell).cells,
-                                   [&](CellId bit) { return runs.difference_of.contains(bit); });
-      });
+      std::erase_if(cells, [&](CellId cell) { return !is_sought(cell); });
       return cells;
     };
     // Too late to begin with anything.
@@ -297,6 +297,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
         break;
       case Effort::kThorough:
         run_both(open(), part(kSearchShare), true);
+        ++round;
         search->Follow(sought.runs, part(kSearchShare), runs);
         run_wide(part(kSearchShare));
         search->Run(open(), part(kSearchShare), runs);
@@ -324,6 +325,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   const prove::diff::CompareResult result =
       prove::diff::CompareVersions(old_version, new_version, match,
                                    {.find_different = find_different,
+                                    .is_sought = is_sought,
                                     .for_each_seen_state =
                                         [&search](prove::diff::Which which, const auto& visit) {
                                           if (search) search->ForEachSeenState(which, visit);
@@ -389,10 +391,9 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     if (is_shown(gathered) && !example && budget.left > 0 && Clock::now() < reused_end) {
       example = FindAmongShown(old_side, new_side, request, options, budget);
     }
-    const bool is_seen =
-        std::ranges::any_of(gathered.old_cells, [&runs](CellId cell) { return runs.difference_of.contains(cell); });
+    const bool is_run = std::ranges::any_of(gathered.old_cells, is_seen);
     const bool is_comparable = !gathered.old_cells.empty() && gathered.old_cells.size() == gathered.new_cells.size();
-    if (is_comparable) KeepWhatWasReplayed(gathered.item, is_seen);
+    if (is_comparable) KeepWhatWasReplayed(gathered.item, is_run);
     diff.items.push_back(std::move(gathered.item));
   }
   if (!options.compiler.empty()) ConfirmCompiled(old_side, new_side, options, last_end, diff);

@@ -239,7 +239,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
   };
   // Where nothing can be set there is one run, and all that it takes is patience.
   if (!quick && behind.empty() && request.round <= 1) run_both(HoldStimuli({}, kMostPatientRun, changed.times_ms));
-  if (request.waits_only) return;
+  if (request.waits_only && changed.times_ms.empty() && changed.counts == 0) return;
   const auto first_run = static_cast<int>(request.round) * kHoldRuns;
   for (int run = first_run; !quick && run < first_run + kHoldRuns && !behind.empty() && !late(); ++run) {
     if (std::chrono::steady_clock::now() > begin + (end - begin) / 2) break;
@@ -251,6 +251,7 @@ void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunReques
     if (options.progress) options.progress("counting run " + std::to_string(run + 1));
     run_and_learn(PulseStimuli(random, set, run, pulses));
   }
+  if (request.waits_only) return;
   const std::vector<prove::diff::SetCell> of_the_machine = InputsOfTheMachine(old_version, inputs);
   const std::vector<prove::diff::SetCell>& all_of_the_machine = of_the_machine.empty() ? inputs : of_the_machine;
   for (int run = 0; run < (quick ? kQuickRuns : kMostRuns) && !late(); ++run) {

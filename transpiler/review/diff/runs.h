@@ -35,7 +35,8 @@ struct RunRequest {
   prove::diff::Effort effort{};
   std::chrono::steady_clock::time_point end;
   uint32_t round = 0;  // of thorough searches: each has other inputs
-  /// Nothing is done where there are inputs from which the cells are computed; else there is one run, which waits.
+  /// Only what takes patience and no luck: where constants changed, runs that wait and count as long as these say; and
+  /// one long run where there is nothing to set.
   bool waits_only = false;
 };
 

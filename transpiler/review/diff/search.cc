@@ -412,12 +412,12 @@ void DirectedSearch::RunWide(const std::vector<CellId>& sought, Time end, Random
 void DirectedSearch::Run(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
   EndAt(end);
   const auto is_open = [&](CellId cell) { return !result.difference_of.contains(cell); };
-  size_t seen = result.difference_of.size();
   using Clock = std::chrono::steady_clock;
   while (!Late()) {
     const Clock::time_point begin = Clock::now();
     std::vector<CellId> open = sought;
     std::erase_if(open, [&](CellId cell) { return !is_open(cell); });
+    if (open.empty()) return;
     const bool is_many = open.size() > kMostSought;
     const bool may_aim = is_many ? aimed_ <= kAimedOfMany * searched_ : aimed_ <= searched_;
     if (Moment* const moment = may_aim ? NextToAsk(is_many) : nullptr) {
@@ -430,9 +430,6 @@ void DirectedSearch::Run(const std::vector<CellId>& sought, Time end, RandomRuns
       }
       searched_ += Clock::now() - begin;
     }
-    if (result.difference_of.size() == seen) continue;
-    seen = result.difference_of.size();
-    if (std::ranges::none_of(sought, is_open)) return;
   }
 }
 
