@@ -244,13 +244,15 @@ class DebugLink {
     const bool forces = frame_[2] == static_cast<uint8_t>(LinkCommand::kForce);
     if (forces) {
       if (count == 0) counts_.forced = 0;
-      // A value of which a half is held is worse than none: there is room for a new one as a whole.
-      if (counts_.forced + count > Settings::kForces && Find(offset) == counts_.forced) return LinkStatus::kNoRoom;
+      // A value of which a part is held is worse than none: there is room for all of its bytes.
+      uint32_t wanted = counts_.forced;
+      for (uint32_t i = 0; i < count; ++i) wanted += Find(offset + i) == counts_.forced ? 1U : 0U;
+      if (wanted > Settings::kForces) return LinkStatus::kNoRoom;
     }
     for (uint32_t i = 0; i < count; ++i) {
       const Force force{offset + i, masks[i], masks[count + i]};
       PutMasked(force);
-      if (forces && !Hold(force)) return LinkStatus::kNoRoom;
+      if (forces) Hold(force);
     }
     return LinkStatus::kDone;
   }
@@ -262,13 +264,12 @@ class DebugLink {
     return at;
   }
 
-  bool Hold(const Force& force) noexcept {
+  /// There is room for it.
+  void Hold(const Force& force) noexcept {
     const uint32_t at = Find(force.offset);
-    if (at == Settings::kForces) return false;
     forces_[at] = force;
     if (at == counts_.forced) ++counts_.forced;
     if (force.mask == 0) forces_[at] = forces_[--counts_.forced];
-    return true;
   }
 
   LinkStatus Watch(uint32_t number, uint32_t offset, uint8_t bytes) noexcept {

@@ -97,6 +97,8 @@ TEST(DebugLink, ReadsWithinStateOnly) {
   EXPECT_EQ(Ask(bench, Frame(LinkCommand::kRead, 0, {1, 1})).status, LinkStatus::kUnknown);
   EXPECT_EQ(Ask(bench, Frame(LinkCommand::kRead, 0, {})).status, LinkStatus::kUnknown);
   EXPECT_EQ(Ask(bench, Frame(99, 0, {1})).status, LinkStatus::kUnknown);
+  for (const Bytes& payload : {Bytes{}, Bytes{1}, Bytes{1, 2, 3}})
+    EXPECT_EQ(Ask(bench, Frame(LinkCommand::kWatch, 40, payload)).status, LinkStatus::kUnknown);
 }
 
 TEST(DebugLink, IsReadOnlyUntilItIsPermitted) {
@@ -158,6 +160,26 @@ TEST(DebugLink, ForcesOfAWholeValueOrNothing) {
   EXPECT_EQ(bench.link.counts().forced, 4);
   EXPECT_EQ(bench.machine.bytes[7], 3);
   EXPECT_EQ(Ask(bench, Frame(LinkCommand::kForce, 113, word(3))).status, LinkStatus::kOutside);
+}
+
+TEST(DebugLink, AValueOfWhichAPartIsForcedNeedsRoomForTheRest) {
+  LinkedMachine<Writing> bench;
+  bench.link.Permit(true);
+  for (const uint32_t at : {20U, 40U, 41U, 42U, 43U}) Ask(bench, Frame(LinkCommand::kForce, at, {0xFF, 1}));
+  EXPECT_EQ(Ask(bench, Frame(LinkCommand::kForce, 20, {0xFF, 0xFF, 0xFF, 5, 6, 7})).status, LinkStatus::kNoRoom);
+  EXPECT_EQ(bench.link.counts().forced, 5);
+  EXPECT_THAT(Bytes(bench.machine.bytes + 4, bench.machine.bytes + 7), ElementsAre(1, 0, 0)) << "no part of it";
+  EXPECT_EQ(Ask(bench, Frame(LinkCommand::kForce, 20, {0xFF, 0xFF, 5, 6})).status, LinkStatus::kDone);
+  EXPECT_EQ(bench.link.counts().forced, 6);
+  EXPECT_THAT(Bytes(bench.machine.bytes + 4, bench.machine.bytes + 7), ElementsAre(5, 6, 0));
+  EXPECT_EQ(Ask(bench, Frame(LinkCommand::kForce, 21, {0, 0})).status, LinkStatus::kDone);
+  EXPECT_EQ(bench.link.counts().forced, 5);
+  // The one beside it takes its place in the list, and stays forced.
+  bench.machine.bytes[4] = bench.machine.bytes[5] = bench.machine.bytes[27] = 0;
+  bench.Period();
+  EXPECT_EQ(bench.machine.bytes[4], 5);
+  EXPECT_EQ(bench.machine.bytes[5], 0);
+  EXPECT_EQ(bench.machine.bytes[27], 1);
 }
 
 TEST(DebugLink, ForcesEndWithTheConnection) {
@@ -254,6 +276,9 @@ TEST(DebugLink, FindsTheNextFrameAfterRubbish) {
     bench.Send(Bytes(kLinkFrame, 0));
     EXPECT_EQ(Ask(bench, good).status, LinkStatus::kDone) << testing::PrintToString(rubbish);
   }
+  // A length that no frame has ends it at once.
+  bench.Send({kLinkStart, kLinkPayload + 1});
+  EXPECT_EQ(Ask(bench, good).status, LinkStatus::kDone);
   for (size_t i = 1; i < good.size(); ++i) {
     for (int bit = 0; bit < 8; ++bit) {
       Bytes wrong = good;
