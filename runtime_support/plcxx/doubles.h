@@ -95,8 +95,8 @@ namespace plcxx {
     }
   }
   const uint64_t even = root >> 1;
-  const bool up = (root & 1U) != 0 && (rest != 0 || (even & 1U) != 0);
-  const uint64_t rounded = even + (up ? 1U : 0U);
+  const uint64_t rounded =
+      even + (root & 1U);  // no root is half way between two numbers: its square has too many digits
   const auto half = static_cast<int32_t>(exponent >= 0 ? exponent / 2 : -((1 - exponent) / 2));
   return F64OfBits((rounded & 0x000FFFFFFFFFFFFFU) + (static_cast<uint64_t>(half + 1023) << 52) +
                    (rounded >> 53 << 52));

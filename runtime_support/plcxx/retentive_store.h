@@ -53,8 +53,8 @@ inline uint32_t GetWord(const uint8_t* bytes) noexcept {
 }
 
 struct Slot {
-  bool whole = false;
-  uint32_t sequence = 0;
+  bool whole;
+  uint32_t sequence;
 };
 
 /// Reads a slot through and checks it; with `content` also whether it holds just that.

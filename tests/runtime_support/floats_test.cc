@@ -91,6 +91,13 @@ TEST(Floats, BitsTellZerosApartAndNanFromNan) {
 }
 
 // covers: HOST50-156
+TEST(Floats, BitsAndNumbersAreOneAnother) {
+  EXPECT_EQ(F32OfBits(0x3FC00000), 1.5F);
+  EXPECT_EQ(F32OfBits(0xFF800000), -kInfinity);
+  EXPECT_TRUE(std::isnan(F32OfBits(0x7FC00001)));
+  EXPECT_EQ(BitsOfF32(F32OfBits(0x7FC00001)), 0x7FC00001u);
+}
+
 TEST(Floats, WithNanOnlyNotEqualIsTrue) {
   for (const float a : FloatSamples()) {
     for (const float b : FloatSamples()) {

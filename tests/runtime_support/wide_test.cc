@@ -136,6 +136,18 @@ TEST(ForcedBytes, ForcedBitsStay) {
   EXPECT_EQ(read, 0x1001);
 }
 
+TEST(ForcedBytes, OneIsAssignedToTheOther) {
+  using Ref = WideRef<uint16_t, ByteOrder::kLittle>;
+  uint8_t from[2] = {0x12, 0x34}, to[2] = {};
+  const unsigned char none[2] = {}, mask[2] = {0x0F, 0}, value[2] = {0x05, 0};
+  {
+    const ForcedBytes<Ref, uint16_t> source(Ref(from), from, true, none, none);
+    ForcedBytes<Ref, uint16_t>(Ref(to), to, true, mask, value) = source;
+  }
+  EXPECT_EQ(to[0], 0x15);
+  EXPECT_EQ(to[1], 0x34);
+}
+
 TEST(ForcedBytes, AnElementOutsideHasNothingToPutBack) {
   uint8_t memory[2] = {1, 2};
   const unsigned char mask[2] = {0xFF, 0xFF}, value[2] = {7, 7};
