@@ -282,6 +282,19 @@ TEST(NestBlocks, AnIfAtTheEndOfItsBlockLosesItsExits) {
   EXPECT_EQ(nested(" {\n  store b %0\n  jump L1\n}"), "%0 = load a\nif %0 {\n  store b %0\n}\nstore a %0\n");
 }
 
+TEST(NestBlocks, AnArmThatLeavesAtItsEndNestsWhatLeavesBefore) {
+  const std::string leaving = " {\n%1 = load b\nif %1 {\n%2 = load c\njump L1 if %2\nstore c %2\n}\njump L1\n}";
+  const std::string rest = "\nstmt s2\n%0 = load b\nstore c %0\nlabel L1\nstmt s3\n";
+  const std::string inner =
+      "  %1 = load b\n  if %1 {\n    %2 = load c\n    %3 = not.bit %2\n    if %3 stays {\n      store c %2\n    }\n  "
+      "}\n";
+  const std::string other = "  stmt s2\n  %0 = load b\n  store c %0\n";
+  EXPECT_EQ(Nested("%0 = load a\nif %0" + leaving + rest),
+            "%0 = load a\nif %0 jumps {\n" + inner + "} else {\n" + other + "}\nstmt s3\n");
+  EXPECT_EQ(Nested("%0 = load a\nif %0 {\nstore a %0\n} else" + leaving + rest),
+            "%0 = load a\nif %0 stays {\n  store a %0\n" + other + "} else {\n" + inner + "}\nstmt s3\n");
+}
+
 TEST(NestBlocks, WhatIsNeverReachedStaysVisible) {
   EXPECT_EQ(Nested("stmt s1\njump L1\nstmt s2\n%0 = load a\nstore b %0\nlabel L1\n"),
             "stmt s1\n%0 = const bit 0\nif %0 stays {\n  stmt s2\n  %0 = load a\n  store b %0\n}\n");

@@ -16,11 +16,8 @@ std::pair<uint32_t, uint32_t> KeyOf(const Address& address) {
   return {static_cast<uint32_t>(address.kind), address.number};
 }
 
-/// The engine keeps the time of old timers in ms, and shows it in their base.
-bool IsTime(const VariableInfo& info) {
-  const bool time = info.part == Part::kPreset || info.part == Part::kValue;
-  return time && (info.group == Group::kTimers || info.group == Group::kMonostables);
-}
+/// Of a number: the engine keeps the preset and the value of old timers in ms, and shows them in their base.
+bool IsTime(const VariableInfo& info) { return info.group == Group::kTimers || info.group == Group::kMonostables; }
 
 bool FitsCode(std::string_view symbol) {
   return std::ranges::all_of(symbol, [](char c) { return static_cast<unsigned char>(c) < 0x80; });

@@ -1,7 +1,5 @@
 #include "transpiler/dialects/host50/lowering/contacts.h"
 
-#include <algorithm>
-
 #include "transpiler/dialects/host50/lowering/cells.h"
 #include "transpiler/dialects/host50/lowering/logic.h"
 #include "transpiler/dialects/host50/lowering/own_instances.h"
@@ -13,10 +11,6 @@ using ir::ValueId;
 
 Contacts::Contacts(const Context& context, Cells& cells, OwnInstances& instances, Logic& logic)
     : Context(context), cells_(cells), instances_(instances), logic_(logic), edges_(tree_.instructions.size()) {}
-
-void Contacts::BeginNetwork(Span instructions) {
-  std::fill_n(edges_.begin() + instructions.first, instructions.count, ValueId());
-}
 
 void Contacts::TakeEdge(InstructionId id) {
   const Instruction& instruction = tree_.instructions[id];

@@ -19,7 +19,6 @@ class Contacts : Context {
   Contacts(const Context& context, Cells& cells, OwnInstances& instances, Logic& logic);
 
   /// A network's instructions come: none of their edges has been taken.
-  void BeginNetwork(Span instructions);
   /// An edge is taken where its instruction is, whatever the rung's condition is.
   void TakeEdge(InstructionId id);
   /// An edge that was taken does not look again at what it reads.

@@ -16,8 +16,6 @@ Results::Results(const Context& context, Contacts& contacts, Logic& logic, Numbe
 
 /// A block without Q conducts what it gets, so that who uses its result uses its input once more.
 void Results::BeginNetwork(Span instructions) {
-  contacts_.BeginNetwork(instructions);
-  for (uint32_t i = 0; i < instructions.count; ++i) results_[instructions.first + i] = {};
   for (uint32_t i = instructions.count; i-- > 0;) {
     const InstructionId id(instructions.first + i);
     const Instruction& instruction = tree_.instructions[id];

@@ -57,15 +57,13 @@ void Targets::StepTimer(const Assignment& assignment, ir::ValueId input) {
   const Operand& target = assignment.target.operand;
   const TimerBase base = BaseOfTimer(target.number);
   ir::ValueId preset;
-  const Expr* delay = assignment.parameter.valid() ? &tree_.exprs[assignment.parameter] : nullptr;
-  if (delay != nullptr && delay->kind == ExprKind::kConstant) {
-    preset = builder_.Constant(ir::Type::kI32, delay->value * base.constant_unit_ms);
-  } else if (delay != nullptr && delay->kind == ExprKind::kOperand && delay->operand.kind == OperandKind::kWord) {
-    preset = builder_.Pure(OpKind::kWiden16To32, {Pair(delay->operand)});
+  const Expr& delay = tree_.exprs[assignment.parameter];  // a constant or a word: the parser takes nothing else
+  if (delay.kind == ExprKind::kOperand) {
+    preset = builder_.Pure(OpKind::kWiden16To32, {Pair(delay.operand)});
     const uint32_t unit = base.parametric_ticks * settings_.tim_ms;
     if (unit != 1) preset = builder_.Pure(OpKind::kMul32, {preset, builder_.Constant(ir::Type::kI32, unit)});
   } else {
-    preset = builder_.Poison(ir::Type::kI32);
+    preset = builder_.Constant(ir::Type::kI32, delay.value * base.constant_unit_ms);
   }
   const ir::ValueId now = system_.Load(SystemPlace::kNow);
   builder_.Step(OpKind::kOnDelay, cells_.InstanceOf(target), {input, preset, now});
@@ -73,17 +71,9 @@ void Targets::StepTimer(const Assignment& assignment, ir::ValueId input) {
 
 void Targets::StepCounter(const Assignment& assignment, ir::ValueId input) {
   const Operand& target = assignment.target.operand;
-  ir::ValueId modulus;
-  const Expr* parameter = assignment.parameter.valid() ? &tree_.exprs[assignment.parameter] : nullptr;
-  const bool parametric =
-      parameter != nullptr && parameter->kind == ExprKind::kOperand && parameter->operand.kind == OperandKind::kWord;
-  if (parametric) {
-    modulus = Pair(parameter->operand);
-  } else if (parameter != nullptr && parameter->kind == ExprKind::kConstant) {
-    modulus = builder_.Constant(ir::Type::kI16, parameter->value);
-  } else {
-    modulus = builder_.Poison(ir::Type::kI16);
-  }
+  const Expr& parameter = tree_.exprs[assignment.parameter];  // as of a timer
+  const bool parametric = parameter.kind == ExprKind::kOperand;
+  const ir::ValueId modulus = parametric ? Pair(parameter.operand) : builder_.Constant(ir::Type::kI16, parameter.value);
   const ir::StateId counter = cells_.InstanceOf(target);
   ir::ValueId counted;
   switch (settings_.carry) {
@@ -102,7 +92,7 @@ void Targets::StepCounter(const Assignment& assignment, ir::ValueId input) {
       break;
   }
   if (!parametric) {  // a constant modulus is in range
-    if (parameter != nullptr && facts_.on()) facts_.Check(ir::FactKind::kResult, counted, modulus);
+    if (facts_.on()) facts_.Check(ir::FactKind::kResult, counted, modulus);
     return;
   }
   builder_.When(builder_.Pure(OpKind::kBitNot, {counted}), [&] { faults_.Call(Fault::kParamRange, target.number); });

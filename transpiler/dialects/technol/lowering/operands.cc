@@ -30,7 +30,7 @@ Bounds32 BoundsOf(const ir::Program& program, ValueId value) {
   if (inst.op == OpKind::kWiden8To16 || inst.op == OpKind::kWiden8To32) return {0, 0xFF};
   if (inst.op == OpKind::kSignExtend16To32) {
     const Bounds32 narrow = of(inst.a);
-    return narrow.high <= 0x7FFF ? narrow : Bounds32{-0x8000, 0x7FFF};
+    return narrow.high <= 0x7FFF ? narrow : Bounds32{};  // no area has room for every word
   }
   if (inst.op == OpKind::kAnd16) {
     const Bounds32 right = of(inst.b);
