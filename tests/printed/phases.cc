@@ -10,6 +10,7 @@
 #include "transpiler/dialects/references.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
+#include "transpiler/ir/builder.h"
 #include "transpiler/ir/printer.h"
 #include "transpiler/ir/reader.h"
 #include "transpiler/passes/nest_blocks.h"
@@ -163,6 +164,29 @@ std::string ReferenceOf(const Input& input) {
   return text + "fault" + routine(reference.fault) + '\n';
 }
 
+/// Which line of the sources each instruction is for: what reports and messages say.
+std::string LinesOf(const Input& input) {
+  const compilation::Compilation compiled = CompiledTo(input, Stage::kLowered);
+  const ir::Program& program = compiled.program;
+  std::string text;
+  for (const ir::Routine& routine : program.routines) {
+    text += "routine " + routine.name + " {";
+    uint32_t line = 0;
+    for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
+      if (!region.valid()) continue;
+      ir::ForEachInst(program, region, [&](ir::InstId id) {
+        const ir::Inst& inst = program[id];
+        if (inst.range == source::Range()) return;
+        const source::Position at = compiled.sources->Locate(inst.range.begin);
+        if (at.line != line) text += "\n  " + std::to_string(line = at.line) + ':';
+        text += ' ' + std::string(ir::Info(inst.op).text);
+      });
+    }
+    text += "\n}\n";
+  }
+  return text;
+}
+
 constexpr std::array kPhases = {
     Phase{"messages", MessagesOf, ""},
     Phase{"ir", IrOf, ""},
@@ -173,6 +197,7 @@ constexpr std::array kPhases = {
     Phase{"parts", PartsOf, ""},
     Phase{"map", MapOf, ""},
     Phase{"directives", DirectivesOf, ""},
+    Phase{"lines", LinesOf, ""},
     Phase{"headings", HeadingsOf, ""},
     Phase{"reference", ReferenceOf, ""},
 };
