@@ -14,10 +14,13 @@ import tests_seen
 BATCHES = (3, 12, 100, 1000)  # scenarios in one process: most mutants are killed by the first
 FIRST = 15                  # scenarios, before other tests
 KILLERS = 8                 # of a function, tried first
-MOST = 100                  # scenarios of the first stage; --most N
+MOST = 200                  # scenarios of the first stage; --most N
 COMPILED, ALL_COMPILED = 5, 40  # scenarios whose C++ is another one: so many are compiled, in the first stage and in all
+GENERATED = 20              # scenarios whose C++ is compiled with the mutated headers of the runtime
 WAITING = 5                 # times its processor time, before a test is ended
 LONG = 180                  # seconds: a longer test is left out of the second stage, too
+
+used = threading.local()    # seconds: the processor's seconds of the processes of this thread, with their own children
 
 
 def run(command, mutant, seconds, place=prepare.SOURCE):
@@ -45,8 +48,10 @@ def run(command, mutant, seconds, place=prepare.SOURCE):
                 os.killpg(process.pid, signal.SIGKILL)
             except ProcessLookupError:
                 pass
-        code = process.wait()
+        _, status, spent = os.wait4(process.pid, 0)
         timer.cancel()
+        code = process.returncode = os.waitstatus_to_exitcode(status)
+        used.seconds = getattr(used, "seconds", 0.0) + spent.ru_utime + spent.ru_stime
     if late or (code in (-signal.SIGXCPU, -signal.SIGKILL) and not failed):
         return "took too long"
     if failed:
@@ -54,14 +59,21 @@ def run(command, mutant, seconds, place=prepare.SOURCE):
     return f"exit code {code}" if code != 0 else None
 
 
+def limit(seconds):
+    """What an endless one may take, where it takes so many seconds without a mutant; checks and compilers take more."""
+    return 20 + 10 * seconds
+
+
 class Judge:
     def __init__(self, seen, seed=0, most=MOST, cheap_only=False):
         self.seen, self.seed, self.most, self.cheap_only = seen, seed, most, cheap_only
         self.killers = {}  # by function: indices of scenarios that killed a mutant of it
+        self.ways = {}     # by name: [mutants that were run against it, killed, seconds of the processor]
+        self.lock = threading.Lock()
         self.index = {scenario.name: number for number, scenario in enumerate(seen.scenarios)}
 
     def reached(self, mutant):
-        if mutant.folder == "emit" and mutant.id in self.seen.by_emit:
+        if mutant.folder in ("emit", "runtime") and mutant.id in self.seen.by_emit:
             return True
         return mutant.id in self.seen.by_scenario or mutant.id in self.seen.by_unit
 
@@ -69,13 +81,13 @@ class Judge:
         """(killed | survived | not reached, by what)"""
         if not self.reached(mutant):
             # Of what nobody wrote down a random program may still execute it.
-            killer = None if self.cheap_only else self.random_programs(mutant)
+            killer = None if self.cheap_only else self.measured(self.random_programs, mutant)
             return ("killed", killer) if killer else ("not reached", "")
         return self.first(mutant, *self.cheap(mutant), *([] if self.cheap_only else self.thorough(mutant)))
 
     def cheap(self, mutant):
         if mutant.folder == "runtime":
-            return [self.units, self.some_in_simulator, self.more_in_simulator]
+            return [self.units, self.some_in_simulator, self.more_in_simulator, self.as_generated]
         if mutant.folder == "emit":
             return [self.units, self.some_in_simulator, self.as_compiled]
         return [self.some_in_simulator, self.units, self.more_in_simulator]
@@ -85,13 +97,20 @@ class Judge:
         return [self.all_in_simulator, self.long_units, *([self.all_as_compiled] if mutant.folder == "emit" else []),
                 self.random_programs]
 
-    @staticmethod
-    def first(mutant, *ways):
+    def first(self, mutant, *ways):
         for way in ways:
-            killer = way(mutant)
+            killer = self.measured(way, mutant)
             if killer:
                 return "killed", killer
         return "survived", ""
+
+    def measured(self, way, mutant):
+        used.seconds = 0.0
+        killer = way(mutant)
+        with self.lock:
+            row = self.ways.setdefault(way.__name__.replace("_", " "), [0, 0, 0.0])
+            row[0], row[1], row[2] = row[0] + 1, row[1] + bool(killer), row[2] + used.seconds
+        return killer
 
     def order(self, mutant, table=None):
         """Scenarios: those that killed a neighbour; a few that reach little else; then as it comes."""
@@ -117,16 +136,23 @@ class Judge:
     def random_programs(self, mutant):
         return random_runs.killer(mutant, run)
 
-    def in_simulator(self, mutant, found, *options):
+    def as_generated(self, mutant):
+        """The runtime as generated code has it: first what that alone executes."""
+        found = [*self.order(mutant, self.seen.by_emit), *self.order(mutant)][:GENERATED]
+        return self.in_simulator(mutant, found, "--cxx", tests_seen.mutated_runtime(), engine="host")
+
+    def in_simulator(self, mutant, found, *options, engine="sim"):
         at, number = 0, 0
         while at < len(found):
             size = BATCHES[min(number, len(BATCHES) - 1)]
             paths = [self.seen.scenarios[index].name for index in found[at:at + size]]
-            longest = max(self.seen.scenarios[index].seconds for index in found[at:at + size])
-            command = functools.partial(tests_seen.scenario_command, limit=math.ceil(20 + WAITING * longest))
-            failed = run(command(paths, *options), mutant.id, 300)
+            took = [self.seen.scenarios[index].seconds for index in found[at:at + size]]
+            longest, seconds = max(took), limit(sum(took))
+            command = functools.partial(tests_seen.scenario_command, engine=engine,
+                                        limit=math.ceil(20 + WAITING * longest))
+            failed = run(command(paths, *options), mutant.id, seconds)
             # One that does not pass now without a mutant has not seen this one: its limit is of the clock.
-            if failed in paths and run(command([failed], *options), 0, 300):
+            if failed in paths and run(command([failed], *options), 0, seconds):
                 failed = None
             if failed:
                 self.remember(mutant, failed)
@@ -154,9 +180,10 @@ class Judge:
                 group = found[at:at + 50]
                 together = tests_seen.Unit(binary, ":".join(test.name for test in group))
                 command = [*tests_seen.unit_command(together), "--gtest_fail_fast"]
-                failed = run(command, mutant.id, 120)
+                seconds = limit(sum(test.seconds for test in group))
+                failed = run(command, mutant.id, seconds)
                 # They were recorded one by one: together they may fail without a mutant, and then say nothing.
-                if failed and run(command, 0, 120) is None:
+                if failed and run(command, 0, seconds) is None:
                     return f"{binary}: {failed}"
                 alone += group if failed else []
         return self.each_unit(mutant, alone + [test for test in tests if test.seconds >= 0.5])
@@ -169,7 +196,7 @@ class Judge:
     @staticmethod
     def each_unit(mutant, tests):
         for test in tests:
-            failed = run(tests_seen.unit_command(test), mutant.id, 60 + 20 * test.seconds)
+            failed = run(tests_seen.unit_command(test), mutant.id, limit(test.seconds))
             if failed:
                 return f"{test.name}: {failed}"
         return None

@@ -102,9 +102,10 @@ class Stages(judge.Judge):
         super().__init__(Reached(number, scenarios), 0, 20, cheap_only)
         self.killers_there, self.ran = killers, []
 
-    def in_simulator(self, mutant, found, *options):
-        self.ran += [(index, *options) for index in found]
-        return next((f"s{index}" for index in found if (index, *options) in self.killers_there), None)
+    def in_simulator(self, mutant, found, *options, engine="sim"):
+        ran = [(index, *(options if engine == "sim" else (engine,))) for index in found]
+        self.ran += ran
+        return next((f"s{run[0]}" for run in ran if run in self.killers_there), None)
 
     def random_programs(self, mutant):
         self.ran.append("random")
@@ -131,6 +132,31 @@ def check_stages():
     assert Stages(7, 0, ()).judge(row) == ("not reached", "")
     assert Stages(7, 0, ["random"]).judge(row) == ("killed", "random")
     assert Stages(7, 0, ["random"], cheap_only=True).judge(row) == ("not reached", "")
+
+
+def check_generated():
+    """What generated code alone executes of the runtime is seen there, and what the simulator does is looked at in both."""
+    row = Row(7, "a.h | F | + to - | x + y")
+    row.folder, row.function = "runtime", "F"
+    tests_seen.mutated_runtime = lambda: "compiler"
+    alone = Stages(7, 0, [(3, "host")], cheap_only=True)
+    assert alone.judge(row) == ("not reached", "")
+    alone.seen.scenarios, alone.seen.by_emit = [tests_seen.Scenario(f"s{i}.yaml") for i in range(5)], {7: [2, 3]}
+    assert alone.judge(row) == ("killed", "s3")
+    assert Stages(7, 9, [(4, "host")], cheap_only=True).judge(row) == ("killed", "s4")
+    row.folder = "hnc"
+    assert Stages(7, 9, [(4, "host")], cheap_only=True).judge(row) == ("survived", "")
+
+
+def check_ways():
+    """What each way of looking was asked, and what it killed."""
+    row = Row(7, "a.cc | F | + to - | x + y")
+    row.folder, row.function = "hnc", "F"
+    judged = Stages(7, 50, ["random"])
+    judged.judge(row)
+    asked = {name: (times, killed) for name, (times, killed, _) in judged.ways.items()}
+    assert asked["some in simulator"] == (1, 0) and asked["random programs"] == (1, 1), asked
+    assert mutants.ways_table(judged.ways).splitlines()[-1].split() == ["random", "programs", "1", "1", "0"]
 
 
 def check_groups():
@@ -199,6 +225,8 @@ def main():
     check_choice()
     check_folders()
     check_stages()
+    check_generated()
+    check_ways()
     check_groups()
     check_random_runs()
     check_table()

@@ -20,9 +20,10 @@ OPEN = HERE / "open.txt"
 DESCRIPTION = """\
 Are the tests able to see a fault? Changes the lowerings, the passes, the emitter and the runtime in thousands of places,
 one change at a time, and runs the tests that execute the changed place, until one fails (killed) or all have passed
-(survived). First what is cheap: a part of the scenarios, and the unit tests. What survives that is run against all other
-scenarios that execute the place, the long tests, compiled programs (emit) and random programs: those of hnc beside avr-gcc,
-those of the other dialects beside their second readings.
+(survived): a part of the scenarios, the unit tests, and for the runtime generated code that has the mutated headers. With
+--thorough what survives that is run against all other scenarios that execute the place, the long tests, compiled programs (emit)
+and random programs: those of hnc beside avr-gcc, those of the other dialects beside their second readings. That takes up to five
+minutes a survivor, and has killed none of 32. A table at the end says what each of these killed and took.
 
 All mutants are compiled into one binary, build/mutants/source/build/bin/plcxx; the environment variable PLCXX_MUTANT=ID chooses
 one. Verdicts are kept in build/mutants/results, and a later run goes on from there; --again forgets them.
@@ -115,6 +116,16 @@ def table(mutants, results, known):
         total = [a + b for a, b in zip(total, row)]
         rows.append((folder, *row, rate(row)))
     rows.append(("all", *total, rate(total)))
+    return aligned(rows)
+
+
+def ways_table(ways):
+    """What each way of looking has killed, and what it took."""
+    return aligned([("", "mutants", "killed", "s of the processor"),
+                    *((name, asked, killed, f"{seconds:.0f}") for name, (asked, killed, seconds) in ways.items())])
+
+
+def aligned(rows):
     widths = [max(len(str(row[i])) for row in rows) for i in range(len(rows[0]))]
     return "\n".join("  ".join(str(cell).ljust(width) if not i else str(cell).rjust(width)
                                for i, (cell, width) in enumerate(zip(row, widths))) for row in rows)
@@ -173,7 +184,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=2, help="mutants that are tested at a time (2)")
     parser.add_argument("--most", type=int, default=judge.MOST, metavar="N",
                         help="scenarios for a mutant in the first stage (%(default)d); the second has all of them")
-    parser.add_argument("--cheap", action="store_true", help="the first stage alone: sooner done, and leaves more survivors")
+    parser.add_argument("--thorough", action="store_true", help="the second stage, too")
     parser.add_argument("--open", action="store_true", help="those of open.txt, which tests may kill by now")
     parser.add_argument("--one", metavar="ID", help="one mutant: its number or its key")
     parser.add_argument("--list", metavar="VERDICT", help="of the last runs: survived, 'not reached' or killed")
@@ -197,7 +208,7 @@ def main():
     if wanted.again_survivors:
         results = {key: value for key, value in results.items() if value[0] == "killed"}
         RESULTS.write_text("".join(f"{key}\t{verdict}\t{killer}\n" for key, (verdict, killer) in results.items()))
-    judged = judge.Judge(tests_seen.record_all(wanted.jobs, folders), wanted.seed, wanted.most, wanted.cheap)
+    judged = judge.Judge(tests_seen.record_all(wanted.jobs, folders), wanted.seed, wanted.most, not wanted.thorough)
     if wanted.one:
         found = [mutant for mutant in mutants if wanted.one in (str(mutant.id), mutant.key)]
         if not found:
@@ -214,6 +225,8 @@ def main():
     run_all(todo, judged, wanted.jobs)
     results = read_results()
     print(table(mutants, results, known))
+    if todo:
+        print(ways_table(judged.ways))
     unexplained = [mutant for mutant in chosen
                    if results[mutant.key][0] == "survived" and known.reason(mutant.key) is None]
     print(f"{len(unexplained)} survivors are not in {SURVIVORS.name}: dev/mutants --list survived")

@@ -70,22 +70,40 @@ exit 1
 """
 
 
-def no_compiler():
-    path = prepare.PLACE / "no_compiler"
-    if not path.exists():
-        path.write_text(NO_COMPILER)
+# A compiler that takes the mutated headers of the runtime: generated code marks its mutants, and one of them is active.
+MUTATED_RUNTIME = """#!/bin/sh
+[ -z "$PLCXX_MUTANTS_TEXT" ] || {no_compiler} "$@"
+exec c++ -I {source} -I {source}/mutated_runtime "$@"
+"""
+
+
+def script(name, text):
+    path = prepare.PLACE / name
+    if not path.exists() or path.read_text() != text:
+        path.write_text(text)
         path.chmod(0o755)
     return str(path)
 
 
+def no_compiler():
+    return script("no_compiler", NO_COMPILER)
+
+
+def mutated_runtime():
+    return script("mutated_runtime", MUTATED_RUNTIME.format(no_compiler=no_compiler(), source=prepare.SOURCE))
+
+
 def emitted_text(path, mutant=0, reached=None):
-    """What stands for the C++ of a scenario's program; "" when there is none."""
+    """What stands for the C++ of a scenario's program; "" when there is none. What is recorded is compiled and executed, too:
+    of the runtime it reaches what the simulator does not."""
     with tempfile.NamedTemporaryFile("r") as text:
         more = {"PLCXX_MUTANTS_TEXT": text.name}
+        compiler = no_compiler()
         if reached:
             more["PLCXX_MUTANTS_REACHED"] = reached
+            compiler = mutated_runtime()
         try:
-            subprocess.run(scenario_command([path], "--cxx", no_compiler(), engine="host"), cwd=prepare.SOURCE,
+            subprocess.run(scenario_command([path], "--cxx", compiler, engine="host"), cwd=prepare.SOURCE,
                            env=environment(mutant, **more), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                            timeout=300)
         except subprocess.TimeoutExpired:
