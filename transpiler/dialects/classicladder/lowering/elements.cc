@@ -59,11 +59,10 @@ ir::StateId Lowering::EdgeOf(const Element& element) {
   return found->second;
 }
 
-/// An edge takes notice of its variable whatever comes from the left.
+/// The variable is read whatever comes from the left: an edge takes notice of it, and an index may be outside.
 void Lowering::Contact(uint32_t x, uint32_t y, const Element& element) {
   const bool edge = element.kind == ElementKind::kRising || element.kind == ElementKind::kFalling;
   const Signal left = Left(x, y);
-  if (!edge && left.kind == Signal::Kind::kZero) return;
   Signal state = Signal::Of(ReadBit(element.variable));
   if (edge) {
     const OpKind step = element.kind == ElementKind::kRising ? OpKind::kRising : OpKind::kFalling;
