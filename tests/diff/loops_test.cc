@@ -110,5 +110,110 @@ TEST(Loops, WhatALoopOnlyWritesKeepsWhatWasThereBefore) {
   EXPECT_NE(VerdictOf(rounds, "LAMP"), ItemVerdict::kEqual);
 }
 
+/// Looks for a tool in a table of eight, as a subprogram.
+const std::string kSearch = R"(          DATA
+IN0:      DFM KEY
+FOUND:    DS 2
+TOOL:     DS 2
+CMOS      STRUC
+TAB       DW 9 DUP (?)
+CMOS      ENDS
+          DATA_END
+          MODULE_MAIN
+          LOD  IN4
+          CALL SEARCH
+          LOD  FOUND
+          STO  OUT4
+          MODULE_MAIN_END
+SEARCH:   STO  TOOL
+          LOD  CNST.0
+          STO  FOUND
+          MOV  BX,0
+NEXT:     LOD  TOOL
+          EQ   WORD.LABEL_MEM.TAB[BX]
+          JL1  HERE
+          ADD  BX,2
+          CMP  BX,16
+          JB   NEXT
+          RET
+HERE:     SHR  BX,1
+          INC  BX
+          MOV  FOUND,BX
+          RET
+          STOP
+)";
+
+/// The same, place by place.
+std::string Unrolled() {
+  std::string places;
+  for (const char* const offset : {"0", "2", "4", "6", "8", "10", "12", "14"}) {
+    places += std::string("          MOV  BX,") + offset + "\n          EQ   WORD.(LABEL_MEM.TAB+" + offset +
+              ")\n          JL1  HERE\n";
+  }
+  const size_t begin = kSearch.find("          MOV  BX,0\n"), end = kSearch.find("          RET\n");
+  return kSearch.substr(0, begin) + "          LOD  TOOL\n" + places + kSearch.substr(end);
+}
+
+TEST(Loops, ASearchThatEndsByItsCounterIsWhatItDoesPlaceByPlace) {
+  // Each round may be the last one, so that how many there are is known by what all of them have in common.
+  const Diff diff = CompareMechanisms(kSearch, Unrolled());
+  EXPECT_EQ(NamesIn(diff), "");
+  const Diff shorter = CompareMechanisms(Replaced(kSearch, "BX,16", "BX,14"), Unrolled());
+  EXPECT_EQ(VerdictOf(shorter, "OUT4"), ItemVerdict::kDifferent);
+  const Diff longer = CompareMechanisms(Replaced(kSearch, "BX,16", "BX,18"), Unrolled());
+  EXPECT_EQ(VerdictOf(longer, "OUT4"), ItemVerdict::kDifferent);
+}
+
+/// Turns a magazine from pocket to pocket: each round waits for the sensor to go and to come.
+const std::string kTurning = R"(          DATA
+IN0:      DFM KEY,POCKET
+OUT0:     DFM TURN
+GOAL:     DS 2
+STEPS:    DS 2
+CMOS      STRUC
+PLACE     DW ?
+CMOS      ENDS
+          DATA_END
+          MODULE_MAIN
+          LDR  KEY
+          FL1  1,TURNING
+          MECH_BEGIN TURNING
+          LOD  IN4
+          SU   LABEL_MEM.PLACE
+          AND  CNST.7
+          STO  STEPS
+          EQ   CNST.0
+          JL1  DONE
+          FL   1,TURN
+ROUND:    LDR  POCKET
+          TEX1 -,150,LATE
+          LDR  POCKET
+          TEX0 -,150,LATE
+          LOD  LABEL_MEM.PLACE
+          AD   CNST.1
+          AND  CNST.7
+          STO  LABEL_MEM.PLACE
+          LOD  STEPS
+          SU   CNST.1
+          STO  STEPS
+          NE   CNST.0
+          JL1  ROUND
+LATE:     FL   0,TURN
+DONE:     MECH_END TURNING
+          MODULE_MAIN_END
+          STOP
+)";
+
+TEST(Loops, ARoundThatWaitsForASensorToGoAndToComeIsNotTakenTwice) {
+  // In one pass the sensor is one thing or the other: no backward jump is counted, and no fault of it can be raised.
+  std::string renamed = kTurning;
+  for (size_t at = 0; (at = renamed.find("STEPS", at)) != std::string::npos;) renamed.replace(at, 5, "REST");
+  EXPECT_EQ(NamesIn(CompareMechanisms(kTurning, renamed)), "");
+  const Diff rewritten = CompareMechanisms(kTurning, Replaced(kTurning, "LOD  IN4", "LOD  CNST.8\n          AD   IN4"));
+  EXPECT_EQ(NamesIn(rewritten), "");
+  const Diff other = CompareMechanisms(kTurning, Replaced(kTurning, "LOD  IN4", "LOD  CNST.7\n          AD   IN4"));
+  EXPECT_EQ(VerdictOf(other, "TURN"), ItemVerdict::kDifferent);
+}
+
 }  // namespace
 }  // namespace plcxx::review::diff

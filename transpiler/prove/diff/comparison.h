@@ -13,6 +13,7 @@
 #include "transpiler/prove/invariants/invariants.h"
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/prove/machine/transition.h"
+#include "transpiler/symbolic/solver/refuted.h"
 #include "transpiler/symbolic/solver/sweep.h"
 
 namespace plcxx::prove::diff {
@@ -35,6 +36,7 @@ struct Comparison {
   const CompareLimits& limits;
   terms::Terms terms;
   std::unique_ptr<solver::Solver> solver;
+  solver::Refuted refuted{terms};
   std::string refusal;
   bool changes_are_found = false;  // SeparatePropagated was done
   bool is_inductive = false;       // see FindInductiveSet

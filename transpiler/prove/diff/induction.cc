@@ -55,6 +55,8 @@ machine::PartEnvironment EnvironmentOf(Comparison& comparison, Which which) {
                 const machine::Uses& other_uses = is_old ? comparison.new_uses : comparison.old_uses;
                 return uses.writes[cell.index] || (other.valid() && other_uses.writes[other.index]);
               },
+          .never_holds =
+              [&comparison](terms::TermId condition) { return comparison.refuted.Has(condition, comparison.RestMs()); },
           .is_late = [&comparison] { return comparison.Late(); }};
 }
 

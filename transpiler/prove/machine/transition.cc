@@ -82,6 +82,7 @@ Transition RunRoutine(terms::Terms& terms, const Version& version, ir::RoutineId
                                  .notes = seen.notes(),
                                  .host_answers = environment.answers == HostAnswers::kAny,
                                  .summarize_after = 16,
+                                 .never_holds = environment.never_holds,
                                  .unroll_up_to = kMostUnrolled,
                                  .never_unrolled = &version.shared_loops,
                                  .is_late = environment.is_late};

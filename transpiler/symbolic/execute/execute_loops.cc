@@ -6,6 +6,7 @@
 #include "transpiler/ir/builder.h"
 #include "transpiler/support/fnv1a.h"
 #include "transpiler/symbolic/execute/executor.h"
+#include "transpiler/symbolic/execute/known_here.h"
 #include "transpiler/symbolic/execute/summary.h"
 
 namespace plcxx::execute {
@@ -87,6 +88,10 @@ void Executor::FollowLoop(ir::InstId id, const ir::Loop& loop) {
   for (const Leaving& leaving : outer) Leave(leaving.target, leaving.repeats, leaving.when);
 }
 
+bool Executor::IsKnownNotToGoOn() {
+  return memory_.environment().never_holds && memory_.environment().never_holds(Absolute());
+}
+
 Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, uint32_t most_unknown,
                                         std::vector<Sample>* samples) {
   LoopPolicy* policy = memory_.environment().loops;
@@ -94,8 +99,13 @@ Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, uin
   std::vector<Leaving> outer = std::exchange(flow_.leaving, {});
   terms::TermId done = terms_.Bit(false);
   uint32_t unknown = 0;
+  std::set<CellId> rewritten;
   for (uint64_t round = 0; !terms_.IsFalse(flow_.active); ++round) {
     if (round > 0 && flow_.active != before) ++unknown;
+    if (most_unknown != 0 && unknown > 0 && IsKnownNotToGoOn()) {
+      flow_.active = terms_.Bit(false);
+      break;
+    }
     if (most_unknown != 0 && unknown > most_unknown) return Unrolled::kGivenUp;
     const bool too_many = round > memory_.environment().most_rounds;
     if (policy != nullptr && (unknown > policy->rounds || too_many)) {
@@ -110,7 +120,7 @@ Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, uin
     const terms::TermId number = terms_.Const(round, kRoundWidth);
     if (samples != nullptr && samples->size() < kMostSamples)
       samples->push_back({terms_.And(Absolute(), terms_.Not(policy->left_out)), memory_.values()});
-    flow_.active = ExecuteRound(id, loop, number, done);
+    flow_.active = ExecuteRound(id, loop, number, done, most_unknown != 0 ? &rewritten : nullptr);
   }
   if (refusal_.empty()) {
     flow_.active = flow_.leaving.empty() ? before : terms_.Or(done, flow_.active);
@@ -162,7 +172,22 @@ void Executor::ExecuteSummary(ir::InstId id) {
   }
 }
 
-terms::TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, terms::TermId number, terms::TermId& done) {
+std::map<CellId, terms::TermId> Executor::WriteKnown(terms::TermId when, const std::set<CellId>& cells) {
+  std::map<CellId, terms::TermId> written;
+  KnownHere known(terms_, when);
+  for (const CellId cell : cells) {
+    const terms::TermId before = memory_.Read(cell);
+    if (terms_.Width(before) != 1 || terms_.IsConst(before)) continue;
+    const std::optional<bool> value = known.ValueOf(before);
+    if (!value) continue;
+    written[cell] = terms_.Bit(*value);
+    memory_.Write(cell, written[cell]);
+  }
+  return written;
+}
+
+terms::TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, terms::TermId number, terms::TermId& done,
+                                     std::set<CellId>* rewritten) {
   const auto finish = [&](terms::TermId when) { done = terms_.Or(done, when); };
   if (loop.condition.valid()) {
     ExecuteRegion(loop.condition);
@@ -189,7 +214,18 @@ terms::TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, terms:
   std::vector<Arm> arms;
   const auto run = [&](terms::TermId when, ir::RegionId region) {
     if (terms_.IsFalse(when)) return when;
-    arms.push_back(RunArm(when, [&] { ExecuteRegion(region); }));
+    std::map<CellId, terms::TermId> known;
+    arms.push_back(RunArm(when, [&] {
+      if (rewritten != nullptr) known = WriteKnown(when, *rewritten);
+      ExecuteRegion(region);
+    }));
+    std::erase_if(arms.back().changes, [&](const Memory::Change& change) {
+      const auto at = known.find(change.cell);
+      return at != known.end() && at->second == change.value;
+    });
+    if (rewritten != nullptr) {
+      for (const Memory::Change& change : arms.back().changes) rewritten->insert(change.cell);
+    }
     const terms::TermId fell_through = std::exchange(arms.back().flow.active, terms_.Bit(true));
     return terms_.And(when, fell_through);
   };

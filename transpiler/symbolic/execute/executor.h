@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,14 +78,20 @@ class Executor {
   /// `most_unknown`: rounds of which it is not known whether they are executed; after them it is given up. 0: never.
   /// `samples`: to be filled; may be none.
   Unrolled UnrollLoop(ir::InstId id, const ir::Loop& loop, uint32_t most_unknown, std::vector<Sample>* samples);
+  bool IsKnownNotToGoOn();
   void ExecuteSummary(ir::InstId id);
   void AddChanged(const std::vector<Memory::Change>& changes, std::vector<CellId>& cells);
   void ExecuteByHead(ir::InstId id, const ir::Loop& loop);
   /// From the entry through a round that stands for each; `more`: cells that the round writes and nobody knew.
   void ExecuteOneForAll(ir::InstId id, const ir::Loop& loop, ProgramLoop& known, std::vector<CellId>& more);
   /// One round of a loop; gives when another one follows. `number`: of rounds before this one.
-  terms::TermId ExecuteRound(ir::InstId id, const ir::Loop& loop, terms::TermId number, terms::TermId& done);
-  /// When execution comes to this point of the routine; known with a policy for loops only.
+  /// `rewritten`: cells that earlier rounds wrote, and then this one; none: nobody asks what is known of them.
+  terms::TermId ExecuteRound(ir::InstId id, const ir::Loop& loop, terms::TermId number, terms::TermId& done,
+                             std::set<CellId>* rewritten = nullptr);
+  /// Begins an arm with what is known of cells where it is executed; gives what was written.
+  std::map<CellId, terms::TermId> WriteKnown(terms::TermId when, const std::set<CellId>& cells);
+  /// When execution comes to this point of the routine; known with a policy for loops, or somebody who knows what never
+  /// holds.
   terms::TermId Absolute() { return terms_.And(context_, flow_.active); }
 
   terms::TermId ReadPlace(const ir::Place& place);
@@ -115,7 +123,8 @@ template <class Body>
 Executor::Arm Executor::RunArm(terms::TermId when, Body&& body) {
   const Flow outer = std::exchange(flow_, {.active = terms_.Bit(true), .leaving = {}});
   const terms::TermId context = context_;
-  if (memory_.environment().loops != nullptr) context_ = terms_.And(context, terms_.And(outer.active, when));
+  if (memory_.environment().loops != nullptr || memory_.environment().never_holds)
+    context_ = terms_.And(context, terms_.And(outer.active, when));
   memory_.BeginChanges();
   body();
   Arm arm{.when = when, .changes = memory_.TakeChanges(), .flow = std::move(flow_)};
