@@ -56,5 +56,28 @@ TEST(MovedMemory, TwoArraysOfOneShapeThatChangePlacesStayWhatTheyAre) {
   EXPECT_EQ(NamesIn(changed), "Y[0] ");
 }
 
+TEST(MovedMemory, WhatIsNoLongerKeptWithoutPowerIsADifference) {
+  // The name stands at an address beyond those that the control keeps: the old address is kept all the same, and unused.
+  const std::string counts = R"(SYMBOLS
+@ PARTS
+END_SYMBOLS
+SLOW
+NETWORK "parts"
+LDP %I0
+ADDW PARTS, 1, PARTS
+LD 1
+COMP PARTS > 3
+OUT %Q0
+END_SLOW
+)";
+  const std::string kept = With(counts, "%W10");
+  EXPECT_EQ(NamesIn(ComparedTexts(kHost50, kept, kept)), "");
+  const Diff diff = ComparedTexts(kHost50, kept, With(counts, "%W110"), {.time_ms = 20'000});
+  const DiffItem* const word = ItemNamed(diff, "W10");
+  ASSERT_NE(word, nullptr) << NamesIn(diff);
+  EXPECT_EQ(word->verdict, ItemVerdict::kDifferent);
+  EXPECT_TRUE(word->counterexample.has_value());
+}
+
 }  // namespace
 }  // namespace plcxx::review::diff

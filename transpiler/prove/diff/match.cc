@@ -60,6 +60,7 @@ class Matcher {
   void InternalByName();
   void SymbolsByName();
   void ByAddress();
+  void RetentiveByAddress();
   void Instances();
   void HostFunctions();
   Match Take() { return std::move(match_); }
@@ -135,6 +136,13 @@ void Matcher::ByAddress() {
       });
     };
     return all_are_common(old_names, one, new_names, other) && all_are_common(new_names, other, old_names, one);
+  });
+}
+
+/// The control keeps an address: what had a name there that stands elsewhere now is kept as before, or no more.
+void Matcher::RetentiveByAddress() {
+  Spaces([this](execute::CellId one, execute::CellId other) {
+    return machine::IsRetentive(old_, one) && machine::IsRetentive(new_, other);
   });
 }
 
@@ -258,6 +266,7 @@ Match MatchCells(const machine::Version& old_version, const machine::Version& ne
   matcher.InternalByName();
   matcher.SymbolsByName();
   matcher.ByAddress();
+  matcher.RetentiveByAddress();
   matcher.Instances();
   matcher.HostFunctions();
   Match match = matcher.Take();
