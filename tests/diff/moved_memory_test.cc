@@ -57,7 +57,8 @@ TEST(MovedMemory, TwoArraysOfOneShapeThatChangePlacesStayWhatTheyAre) {
 }
 
 TEST(MovedMemory, WhatIsNoLongerKeptWithoutPowerIsADifference) {
-  // The name stands at an address beyond those that the control keeps: the old address is kept all the same, and unused.
+  // The name stands at an address beyond those that the control keeps: the old address is kept all the same, and
+  // unused.
   const std::string counts = R"(SYMBOLS
 @ PARTS
 END_SYMBOLS

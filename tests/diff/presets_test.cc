@@ -29,5 +29,25 @@ TEST(DiffPresets, AreFoundInDeclaredData) {
   }
 }
 
+TEST(Presets, WhatIsShownIsWhatAScenarioSets) {
+  // Before init has run, the new version alone has a value in the word; the run sets some bits of it, a scenario all.
+  const std::string program = R"(#include "plc.h"
+int table[2]@;
+void init() { int i; plc1_time = 1; plc2_time = 1; )";
+  const std::string parts = R"(}
+void plc1() { Y[0] = table[X[0] & 1] == 5; }
+void plc2() { }
+)";
+  const Diff diff = ComparedTexts({"hnc", ".cld"}, With(program, "") + "for (i = 0; i < 2; i++) table[i] = 5; " + parts,
+                                  With(program, " = {5, 5}") + parts, {.time_ms = 10'000});
+  const DiffItem* const word = ItemNamed(diff, "table[0]");
+  ASSERT_NE(word, nullptr) << NamesIn(diff);
+  ASSERT_TRUE(word->counterexample.has_value());
+  const Counterexample& shown = *word->counterexample;
+  EXPECT_EQ(shown.old_value, "5");
+  EXPECT_NE(shown.steps.find("table[0]=" + shown.new_value + ","), std::string::npos)
+      << shown.steps << ": " << shown.new_value;
+}
+
 }  // namespace
 }  // namespace plcxx::review::diff

@@ -303,17 +303,45 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
   return "expect: {" + Quoted(name) + ": " + example.old_value + "}";
 }
 
+/// The inputs with the other bits of their words, as the old version has them then: a scenario sets words, and the new
+/// version may have had something else there.
+std::vector<prove::diff::SetCell> WholeWords(const CounterexampleRequest& request,
+                                             const std::vector<prove::diff::SetCell>& inputs, DiffMachine& machine) {
+  std::vector<prove::diff::SetCell> whole = inputs;
+  std::set<CellId> set;
+  for (const prove::diff::SetCell& input : inputs) set.insert(input.old_cell);
+  machine.Look();
+  for (const prove::diff::SetCell& input : inputs) {
+    for (const CellId cell : WordOfBoth(request, input.old_cell).cells) {
+      if (!set.insert(cell).second) continue;
+      whole.push_back(
+          {.old_cell = cell, .new_cell = request.match.new_of_old[cell.index], .value = machine.Seen(cell)});
+    }
+  }
+  return whole;
+}
+
+enum class SetAs : uint8_t { kWords, kBits };
+
 std::shared_ptr<const ShownRun> Show(const DiffSide& old_side, const DiffSide& new_side,
-                                     const CounterexampleRequest& request, Stimuli stimuli, bool from_state) {
+                                     const CounterexampleRequest& request, Stimuli stimuli, bool from_state,
+                                     SetAs set_as) {
   const auto begin = std::chrono::steady_clock::now();
   const std::shared_ptr<ShownRun> run(
       new ShownRun{.stimuli = std::move(stimuli),
                    .from_state = from_state,
                    .ends = {DiffMachine(old_side, request.old_version), DiffMachine(new_side, request.new_version)},
                    .cost = {}});
-  for (const Stimulus& stimulus : run->stimuli) {
+  const auto apply = [&run](const Stimulus& stimulus) {
     run->ends.old_machine.Apply(stimulus, &prove::diff::SetCell::old_cell);
     run->ends.new_machine.Apply(stimulus, &prove::diff::SetCell::new_cell);
+  };
+  for (const Stimulus& stimulus : run->stimuli) {
+    Stimulus after_power = stimulus;
+    if (std::exchange(after_power.power_cycle, false)) apply({.inputs = {}, .words = {}, .power_cycle = true});
+    if (set_as == SetAs::kWords && !stimulus.inputs.empty())
+      after_power.inputs = WholeWords(request, stimulus.inputs, run->ends.old_machine);
+    apply(after_power);
   }
   run->ends.old_machine.Look();
   run->ends.new_machine.Look();
@@ -357,12 +385,20 @@ std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& n
   const Shortener::Shows shows = ShowsDifference(old_side, new_side, request.old_version, request.new_version,
                                                  request.old_cells, std::move(new_cells));
   Shortener shortener(shows, budget.end);
+  const auto differs = [&request](const ShownRun& run) {
+    if (request.kind == ItemKind::kCalls) return true;
+    const SeenDifference seen = FindSeen(request, run.ends);
+    return seen.old_value != seen.new_value;
+  };
   for (Candidate& candidate : Candidates(old_side, new_side, request)) {
     if (!shows(candidate.stimuli, budget.last_end)) continue;
     --budget.left;
     Stimuli shortened = shortener.Shorten(std::move(candidate.stimuli));
-    const std::shared_ptr<const ShownRun> run =
-        Show(old_side, new_side, request, std::move(shortened), candidate.from_state);
+    std::shared_ptr<const ShownRun> run =
+        Show(old_side, new_side, request, shortened, candidate.from_state, SetAs::kWords);
+    if (!differs(*run)) {
+      run = Show(old_side, new_side, request, std::move(shortened), candidate.from_state, SetAs::kBits);
+    }
     if (budget.shown.size() < kMostRemembered) budget.shown.push_back(run);
     return Describe(old_side, new_side, request, *run, options, budget);
   }
