@@ -18,7 +18,7 @@ constexpr size_t kMostInvariantCells = 160;  // around which invariants are look
 /// Of the time: a fortieth, but not much, for a few runs first, a tenth and a third of what is left for many.
 constexpr uint32_t kQuickShare = 40, kSearchShare = 10, kThoroughShare = 3;
 constexpr uint32_t kFirstInductionShare = 8, kInductionShare = 2;
-constexpr uint32_t kMostQuickMs = 1500;
+constexpr uint32_t kMostFirstMs = 200, kMostQuickMs = 1500;
 constexpr uint32_t kMostPlantedMs = 2000;  // after a violation without the plant
 constexpr uint32_t kMostQuickWindow = 20;
 constexpr std::chrono::seconds kRemarkTime{5};
@@ -138,7 +138,8 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
   invariants_.clear();
   if (property.kind == PropertyKind::kNeverStuck) return CheckNeverStuck(property);
   PropertyResult result;
-  if (TryRuns(property, std::min(kMostQuickMs, RestMs() / kQuickShare), false, result)) return result;
+  // Most of what holds is proved in less time than many runs would take.
+  if (TryRuns(property, std::min(kMostFirstMs, RestMs() / kQuickShare), false, result)) return result;
   const uint32_t window = WindowOf(property);
   bool tried_runs = false, looked_for_invariants = false;
   const auto try_runs = [&] {
@@ -167,7 +168,8 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
       looked_for_invariants = true;
       FindInvariantsFor(property);
       if (!invariants_.empty() && TryInduction(property, k, result)) return result;
-      // A violation that is not far away is found sooner than facts that are missing.
+      // Few facts are found at once; a violation that is not far away is found sooner than many.
+      if (TryReachableFor(std::min(kMostQuickMs, RestMs() / kQuickShare), property, result)) return result;
       if (TryRuns(property, std::min(kMostQuickMs, RestMs() / kSearchShare), true, result)) return result;
       if (TryReachable(property, result)) return result;
     }

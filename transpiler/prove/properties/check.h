@@ -130,6 +130,8 @@ class PropertyChecker {
   bool TryInduction(const Property& property, uint32_t k, PropertyResult& result);
   // By facts about the reachable states (check_reachable.cc).
   bool TryReachable(const Property& property, PropertyResult& result);
+  /// Only what is proved in so short a time counts.
+  bool TryReachableFor(uint32_t milliseconds, const Property& property, PropertyResult& result);
   /// Whether no reachable state, after whole periods, is bad; `bad` is over the variables of Widest() and those of
   /// `more`. Counts the facts.
   bool IsNeverReached(terms::TermId bad, const std::function<std::optional<StateWord>(terms::TermId variable)>& more,

@@ -1,6 +1,7 @@
 // Properties by facts about the reachable states: what a property says of several periods becomes state of its own.
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "transpiler/prove/properties/check.h"
 #include "transpiler/prove/properties/reachable.h"
@@ -96,6 +97,16 @@ bool PropertyChecker::TryReachable(const Property& property, PropertyResult& res
   result.periods = 1;
   result.reason.clear();
   return true;
+}
+
+bool PropertyChecker::TryReachableFor(uint32_t milliseconds, const Property& property, PropertyResult& result) {
+  const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
+  const auto deadline = std::exchange(deadline_, std::min(deadline_, soon));
+  PropertyResult tried = result;
+  const bool is_proved = TryReachable(property, tried) && tried.verdict == PropertyVerdict::kProved;
+  deadline_ = deadline;
+  if (is_proved) result = std::move(tried);
+  return is_proved;
 }
 
 bool PropertyChecker::IsNeverReached(terms::TermId bad,
