@@ -12,7 +12,7 @@ from client import Client, uri_of
 from programs import FOLDERS, Sample, as_check_says, as_client_sees
 
 EDITS = 200  # of each language
-TOGGLES = 60  # of a header, a macro, a type, a function in C
+TOGGLES = 80  # of a header, a macro, a type, a function in C
 
 HEADER = """#define SIZE 8
 #define MASK 7
@@ -34,9 +34,15 @@ void count(void)
     for (i = 0; i < SIZE; i++) table[i] = limited(table[i] + 1, bounds.high);
     if (x(1,2)) total++; else R[0] = table[total & MASK];
 }
+void wait(void)
+{
+    static unsigned left = 3;  // scans
+    if (left > 2) { left--; }
+    R[5] = left;
+}
 void init() { plc1_time = 16; plc2_time = 32; }
 void plc1() { count(); }
-void plc2() { bounds.high = LIMIT; }
+void plc2() { bounds.high = LIMIT; wait(); }
 """
 # Of the header, then of the source: what may be written instead. Each is somewhere else in the text.
 CHANGES = [("types.h", "SIZE 8", "SIZE 4"), ("types.h", "MASK 7", "MASK 15"), ("types.h", "LIMIT 100", "LIMIT 70000"),
@@ -45,7 +51,10 @@ CHANGES = [("types.h", "SIZE 8", "SIZE 4"), ("types.h", "MASK 7", "MASK 15"), ("
            ("main.cld", "unsigned total;", "static long total;"), ("main.cld", "INT table[SIZE];", "INT table[2];"),
            ("main.cld", "v > most ?", "v = most ?"), ("main.cld", "INT i;", "INT i, j;"), ("main.cld", "i < SIZE", "i <= SIZE"),
            ("main.cld", "total++;", "total == 1;"), ("main.cld", "{ count(); }", "{ }"),
-           ("main.cld", "plc1_time = 16;", "count();"), ("main.cld", "void plc2() {", "void plc2() { X[1] = 0;")]
+           ("main.cld", "plc1_time = 16;", "count();"), ("main.cld", "void plc2() {", "void plc2() { X[1] = 0;"),
+           ("main.cld", "{ left--; }", "{ left--; "), ("main.cld", "R[5] = left;", "R[5] = lost;"),
+           ("main.cld", "// scans", "/* scans"), ("main.cld", "static unsigned left", "static signed char left"),
+           ("main.cld", "if (left > 2)", "if (left = 2)"), ("main.cld", "wait(); }", "wate(); }")]
 
 
 def found_by_client(client, sample):

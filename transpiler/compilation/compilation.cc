@@ -136,6 +136,7 @@ void Pipeline::Lower() {
   Show("translating");
   dialects::Request request = compilation_.MakeRequest();
   request.lists = request_.lists;
+  request.kept = request_.kept;
   dialects::Lowered lowered = compilation_.dialect->lower(request);
   // More sources than a program of the language has: the command line is wrong, not the program.
   compilation_.wrong_use = std::ranges::any_of(compilation_.diagnostics.all(), [](const diag::Diagnostic& diagnostic) {
@@ -163,6 +164,7 @@ void Pipeline::Estimate() {
   if (!AssertsFacts(compilation_.program)) return EstimateCosts(compilation_);
   CompilationRequest request = request_;
   request.progress = {};
+  request.kept = nullptr;
   std::erase_if(request.options, [](const auto& option) { return option.first == kFactsOption; });
   Compilation shipped = Compile(request, Stage::kStructured);
   EstimateCosts(shipped);

@@ -39,6 +39,7 @@ struct CompilationRequest {
   std::vector<dialects::MacroOption> macros;            // -D and -U
   std::string name;                                     // of the program; empty: from the first logic source
   dialects::Lists lists = dialects::Lists::kAll;
+  std::unique_ptr<dialects::Kept>* kept = nullptr;  // as in dialects::Request
   /// Called before each phase with its name, for a progress line; may be empty.
   std::function<void(std::string_view phase)> progress;
 };

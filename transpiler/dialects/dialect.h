@@ -43,6 +43,12 @@ struct MacroOption {
 /// Whether the lists of a report are made (SourceSummary::tables), which nobody reads while a program is being typed.
 enum class Lists : uint8_t { kNone, kAll };
 
+/// What a dialect keeps of one run for the next one of nearly the same program. Only the dialect knows what it is.
+class Kept {
+ public:
+  virtual ~Kept() = default;
+};
+
 struct Request {
   source::SourceManager* sources = nullptr;
   std::vector<source::FileId> files;           // the program, in the user's order
@@ -55,6 +61,8 @@ struct Request {
   std::vector<MacroOption> macros;                      // -D and -U in their order
   ir::Facts facts = ir::Facts::kTrusted;                // whether what decisions rest on becomes assertions
   Lists lists = Lists::kAll;
+  /// Of the last run with the same object, and then of this one; null: nothing is kept. The result is the same.
+  std::unique_ptr<Kept>* kept = nullptr;
 };
 
 /// What the program uses of what the control has.

@@ -54,9 +54,10 @@ source::UnsavedBytes UnsavedOf(const compilation::CompilationRequest& request, c
 }
 
 compilation::Compilation CompileWith(compilation::CompilationRequest request, const project::Baseline& baseline,
-                                     const source::UnsavedBytes& unsaved) {
+                                     const source::UnsavedBytes& unsaved, std::unique_ptr<dialects::Kept>* kept) {
   const source::UnsavedScope scope(unsaved);
   request.lists = dialects::Lists::kNone;
+  request.kept = kept;
   if (baseline.accepted.empty()) return compilation::Compile(request, compilation::Stage::kChecked);
   project::Accepted accepted;
   return project::CompileAccepting(request, compilation::Stage::kChecked, baseline, request.base_directory, accepted);
@@ -65,9 +66,9 @@ compilation::Compilation CompileWith(compilation::CompilationRequest request, co
 }  // namespace
 
 Analysis::Analysis(const compilation::CompilationRequest& request, const project::Baseline& baseline,
-                   const Documents& documents, Units units)
+                   const Documents& documents, Units units, std::unique_ptr<dialects::Kept>* kept)
     : unsaved_(UnsavedOf(request, documents)),
-      compilation_(CompileWith(request, baseline, unsaved_)),
+      compilation_(CompileWith(request, baseline, unsaved_, kept)),
       units_(units),
       lines_(compilation_.sources->size()) {
   for (uint32_t i = 0; i < sources().size(); ++i) {

@@ -31,7 +31,7 @@ class Analysis {
  public:
   ~Analysis();
   Analysis(const compilation::CompilationRequest& request, const project::Baseline& baseline,
-           const Documents& documents, Units units);
+           const Documents& documents, Units units, std::unique_ptr<dialects::Kept>* kept);
 
   const compilation::Compilation& compilation() const { return compilation_; }
   const source::SourceManager& sources() const { return *compilation_.sources; }

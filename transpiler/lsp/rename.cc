@@ -90,7 +90,8 @@ Json Rename(const FeatureContext& context, const Json& params) {
   // What other names would then mean, and whether the language takes the new one, only the language can tell.
   Documents documents = context.workspace.documents();
   for (auto& [identity, text] : ChangedTexts(context, spellings, name)) documents.Replace(identity, std::move(text));
-  const Analysis after(context.program.request, context.program.baseline, documents, context.workspace.units());
+  const Analysis after(context.program.request, context.program.baseline, documents, context.workspace.units(),
+                       nullptr);
   for (const diag::Diagnostic& diagnostic : after.compilation().diagnostics.all()) {
     if (diagnostic.severity == diag::Severity::kError) RefuseRename("'" + name + "' is refused: " + diagnostic.text);
   }

@@ -194,7 +194,7 @@ void Workspace::Analyse(WorkspaceProgram& program, const Publish& publish) {
   program.changed = false;
   {
     const support::FaultGuard guard;
-    auto analysis = std::make_unique<Analysis>(program.request, program.baseline, documents_, units_);
+    auto analysis = std::make_unique<Analysis>(program.request, program.baseline, documents_, units_, &program.kept);
     if (program.analysis != nullptr && program.analysis->compilation().ok())
       program.whole = std::move(program.analysis);
     if (analysis->compilation().ok()) program.whole = nullptr;

@@ -31,6 +31,7 @@ struct WorkspaceProgram {
   bool is_single_file = false;  // not configured: it goes with its document
   bool changed = true;          // since `analysis`
   std::unique_ptr<Analysis> analysis;
+  std::unique_ptr<dialects::Kept> kept;  // of the last analysis for the next one
   /// The last one without errors: names keep their meaning while a statement is being typed.
   std::unique_ptr<Analysis> whole;
   FileDiagnostics diagnostics;

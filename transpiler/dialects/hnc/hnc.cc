@@ -1,6 +1,7 @@
 #include "transpiler/dialects/hnc/hnc.h"
 
 #include <charconv>
+#include <utility>
 
 #include "transpiler/dialects/common/wiring.h"
 #include "transpiler/dialects/hnc/analysis/summary.h"
@@ -23,7 +24,7 @@ std::string Syntax(dialects::Request& request) { return PrintSyntax(*request.sou
 dialects::Lowered LowerProgram(dialects::Request& request) {
   Settings settings = ReadSettings(request.options);
   settings.facts = request.facts;
-  const Unit unit = Parse(request);
+  Unit unit = Parse(request);
   dialects::Lowered lowered;
   lowered.summary = {.lines = unit.line_count, .statements = unit.statement_count};
   const Objects objects(unit);
@@ -33,6 +34,7 @@ dialects::Lowered LowerProgram(dialects::Request& request) {
     lowered.summary.tables = SummaryTables(unit, objects, facts, lowered.program, *request.sources);
   }
   request.diagnostics->LimitErrors(kMostErrors);
+  Keep(request, std::move(unit));
   return lowered;
 }
 

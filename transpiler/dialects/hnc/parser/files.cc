@@ -65,18 +65,34 @@ source::LoadOptions LoadOptionsOf(std::optional<source::Encoding> chosen) {
   return options;
 }
 
-ProgramFiles::ProgramFiles(dialects::Request& request, const Settings& settings)
-    : request_(request), settings_(settings) {
+ProgramFiles::ProgramFiles(dialects::Request& request, const Settings& settings, LoadedFiles& loaded, Reuse* reuse)
+    : request_(request), settings_(settings), loaded_(loaded), reuse_(reuse) {
   const source::FileId file = request.files.front();
   const std::string& path = request.sources->Get(file).path;
   const size_t name = path.find_last_of('/') + 1;
   main_folder_ = path.substr(0, name);
   main_name_ = path.substr(name);
-  auto text = std::make_unique<SourceText>(Rewrite(*request.sources, file));
-  ApplyLineDirectives(*request.sources, *text);
+  std::unique_ptr<SourceText> text = TextOf(file);
   main_ = text.get();
   texts_.emplace(path, std::move(text));
   known_.emplace(std::string(kMainFolder) + "/" + main_name_, main_);
+}
+
+std::unique_ptr<SourceText> ProgramFiles::TextOf(source::FileId file) {
+  std::optional<SourceText> text;
+  if (reuse_ != nullptr) text = reuse_->TextOf(*request_.sources, file);
+  if (!text) text = Rewrite(*request_.sources, file);
+  const bool shows_elsewhere = reuse_ != nullptr && !text->line_directives.empty();
+  shows_elsewhere ? reuse_->Misfit() : ApplyLineDirectives(*request_.sources, *text);
+  return std::make_unique<SourceText>(std::move(*text));
+}
+
+std::vector<const SourceText*> ProgramFiles::texts() const {
+  std::vector<const SourceText*> texts;
+  for (const auto& [path, text] : texts_) {
+    if (text->file.valid()) texts.push_back(text.get());
+  }
+  return texts;
 }
 
 const SourceText* ProgramFiles::Open(const std::string& path) {
@@ -121,12 +137,19 @@ const SourceText* ProgramFiles::OpenProduct(const std::string& name) {
 }
 
 const SourceText* ProgramFiles::OpenBelow(const std::string& folder, const std::string& path) {
+  if (reuse_ != nullptr && !reuse_->fits()) return nullptr;  // loaded in their order when all is read again
   const std::string found = FindBelow(folder, path);
   if (found.empty()) return nullptr;
   const auto known = texts_.find(found);
   if (known != texts_.end()) return known->second.get();
+  const auto before = loaded_.find(found);
+  if (before != loaded_.end()) return texts_.emplace(found, TextOf(before->second)).first->second.get();
   const auto loaded = request_.sources->Load(found, LoadOptionsOf(request_.encoding));
   const auto* file = std::get_if<source::FileId>(&loaded);
+  if (file == nullptr && reuse_ != nullptr) {
+    reuse_->Misfit();
+    return nullptr;
+  }
   if (file == nullptr) {
     const auto& error = std::get<source::LoadError>(loaded);
     if (error.problem == source::LoadProblem::kEmpty) {
@@ -135,9 +158,8 @@ const SourceText* ProgramFiles::OpenBelow(const std::string& folder, const std::
     request_.diagnostics->Report({}, diag::CannotReadSource, found, error.detail, source::RemedyOf(error.problem));
     return nullptr;
   }
-  auto text = std::make_unique<SourceText>(Rewrite(*request_.sources, *file));
-  ApplyLineDirectives(*request_.sources, *text);
-  return texts_.emplace(found, std::move(text)).first->second.get();
+  loaded_.emplace(found, *file);
+  return texts_.emplace(found, TextOf(*file)).first->second.get();
 }
 
 }  // namespace plcxx::hnc

@@ -10,6 +10,7 @@
 
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/dialects/hnc/machine/options.h"
+#include "transpiler/dialects/hnc/parser/kept_program.h"
 #include "transpiler/dialects/hnc/source/source_text.h"
 
 namespace plcxx::hnc {
@@ -19,7 +20,8 @@ source::LoadOptions LoadOptionsOf(std::optional<source::Encoding> chosen);
 
 class ProgramFiles {
  public:
-  ProgramFiles(dialects::Request& request, const Settings& settings);
+  /// `reuse` may be null. `loaded`: what was loaded before by this path, and what is loaded.
+  ProgramFiles(dialects::Request& request, const Settings& settings, LoadedFiles& loaded, Reuse* reuse);
 
   /// The main source's name below kMainFolder.
   const std::string& main_name() const { return main_name_; }
@@ -31,13 +33,18 @@ class ProgramFiles {
   /// Has some include given the system header?
   bool system_header_read() const { return system_header_read_; }
   const SourceText& main() const { return *main_; }
+  /// Those of the program itself.
+  std::vector<const SourceText*> texts() const;
 
  private:
   const SourceText* OpenProduct(const std::string& name);
   const SourceText* OpenBelow(const std::string& folder, const std::string& path);
+  std::unique_ptr<SourceText> TextOf(source::FileId file);
 
   dialects::Request& request_;
   Settings settings_;
+  LoadedFiles& loaded_;
+  Reuse* reuse_;
   std::string main_folder_;  // of the main source, with its '/' or empty
   std::string main_name_;
   std::string assumed_header_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "transpiler/dialects/dialect.h"
+#include "transpiler/dialects/hnc/parser/kept_bodies.h"
 #include "transpiler/dialects/hnc/source/findings.h"
 #include "transpiler/dialects/hnc/source/source_text.h"
 #include "transpiler/dialects/hnc/syntax/syntax.h"
@@ -30,6 +31,8 @@ struct ParserInput {
   uint32_t include_folders = 0;  // how many -I
   std::vector<dialects::MacroOption> macros;
   bool char_is_signed = true;
+  bool keeps_bodies = false;         // whether ParserOutput::bodies is wanted
+  const KeptBodies* kept = nullptr;  // none: all of the program is in the texts
 };
 
 /// An #include whose file does not exist.
@@ -52,10 +55,16 @@ struct ParserOutput {
   Findings findings;
   std::vector<source::Range> left_out;  // groups of #if that do not count
   std::vector<MissingInclude> missing;
-  std::vector<std::string> read;  // paths of all files that were read
-  std::vector<TokenText> tokens;  // only where asked for
-  std::string bitcode;            // likewise; empty: the program has errors
-  std::string compiler;           // that made it
+  std::vector<std::string> read;             // paths of all files that were read
+  std::vector<TokenText> tokens;             // only where asked for
+  std::vector<FunctionBody> bodies;          // of all definitions in their order, where asked for
+  std::vector<std::string> open_names;       // declared within a body and seen beyond it
+  std::vector<source::Offset> builtin_uses;  // places of uses of __LINE__ and its like
+  size_t token_count = 0;                    // with those of macros' arguments
+  bool can_keep = true;                      // false: something in the program forbids to take over any of its bodies
+  bool kept_fits = true;  // false: the program is not the one of ParserInput::kept; the rest is worth nothing
+  std::string bitcode;    // likewise; empty: the program has errors
+  std::string compiler;   // that made it
 };
 
 /// kCode: the tree, and what Clang itself makes of the program.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "transpiler/dialects/common/printing.h"
 #include "transpiler/dialects/hnc/machine/options.h"
 #include "transpiler/dialects/hnc/parser/files.h"
+#include "transpiler/dialects/hnc/parser/kept_program.h"
 #include "transpiler/dialects/hnc/parser/module.h"
 #include "transpiler/dialects/hnc/parser/module_loading.h"
 
@@ -27,7 +29,7 @@ class Run {
 
   Parsed Parse(ParseUntil until) {
     Parsed parsed;
-    parsed.files = std::make_unique<ProgramFiles>(request_, settings_);
+    parsed.files = std::make_unique<ProgramFiles>(request_, settings_, loaded_, nullptr);
     std::string reason;
     const ParseFunction parse = LoadParser(reason);
     if (parse == nullptr) {
@@ -41,11 +43,27 @@ class Run {
     // 9.1: again, with this name for the system header.
     Parsed second;
     second.assumed_header = assumed->name;
-    second.files = std::make_unique<ProgramFiles>(request_, settings_);
+    LoadedFiles again;
+    second.files = std::make_unique<ProgramFiles>(request_, settings_, again, nullptr);
     second.files->TakeForSystemHeader(assumed->name);
     parse(InputOf(*second.files), until, second.output);
     request_.diagnostics->Report(assumed->range, diag::HncAssumedSystemHeader, assumed->name);
     return second;
+  }
+
+  /// Takes over what is the same in the program before; none: it is not the same program.
+  std::optional<Parsed> ParseChanged(KeptProgram& before) {
+    Reuse reuse(before);
+    Parsed parsed;
+    parsed.files = std::make_unique<ProgramFiles>(request_, settings_, loaded_, &reuse);
+    std::string reason;
+    const ParseFunction parse = LoadParser(reason);
+    if (parse == nullptr || !reuse.fits()) return std::nullopt;
+    ParserInput input = InputOf(*parsed.files);
+    input.kept = &reuse.bodies();
+    parse(input, ParseUntil::kTree, parsed.output);
+    if (!reuse.Fits(*request_.sources, parsed.files->texts(), parsed.output)) return std::nullopt;
+    return parsed;
   }
 
  private:
@@ -56,6 +74,7 @@ class Run {
     input.text = [sources = request_.sources](source::Range range) { return std::string(sources->Text(range)); };
     input.include_folders = static_cast<uint32_t>(request_.include_directories.size());
     input.macros = request_.macros;
+    input.keeps_bodies = request_.kept != nullptr;
     input.char_is_signed = settings_.plain_char == CharOption::kSigned && !files.main().unsigned_char;
     return input;
   }
@@ -75,6 +94,7 @@ class Run {
 
   dialects::Request& request_;
   Settings settings_;
+  LoadedFiles loaded_;
 };
 
 bool IsError(const Finding& finding) { return finding.row.severity == diag::Severity::kError; }
@@ -147,13 +167,49 @@ bool IsOneSource(const dialects::Request& request) {
   return false;
 }
 
+/// What the last run has left, as far as it is of use for this one.
+std::unique_ptr<KeptProgram> TakeKept(dialects::Request& request) {
+  if (request.kept == nullptr || *request.kept == nullptr) return nullptr;
+  std::unique_ptr<dialects::Kept> kept = std::move(*request.kept);
+  const auto* program = dynamic_cast<const KeptProgram*>(kept.get());
+  if (program == nullptr || !program->is_complete || program->settings != SettingsOf(request)) return nullptr;
+  return std::unique_ptr<KeptProgram>(static_cast<KeptProgram*>(kept.release()));
+}
+
+/// A program with a tree that was read again only in part, where that gives the same.
+Parsed ParseKeeping(dialects::Request& request) {
+  std::unique_ptr<KeptProgram> before = TakeKept(request);
+  Run run(request);
+  std::optional<Parsed> parsed;
+  if (before != nullptr) parsed = run.ParseChanged(*before);
+  if (!parsed) {
+    before = nullptr;  // its memory, before the whole program is read
+    parsed = run.Parse(ParseUntil::kTree);
+  }
+  if (request.kept != nullptr && parsed->assumed_header.empty()) {
+    *request.kept = KeepProgram(request, parsed->files->texts(), parsed->output, before.get());
+  }
+  return std::move(*parsed);
+}
+
 }  // namespace
+
+void Keep(dialects::Request& request, Unit unit) {
+  if (request.kept == nullptr) return;
+  if (auto* program = dynamic_cast<KeptProgram*>(request.kept->get())) {
+    program->unit = std::move(unit);
+    program->is_complete = true;
+  }
+}
 
 Unit Parse(dialects::Request& request) {
   Unit faulty;
   faulty.faulty = true;
-  if (!IsOneSource(request)) return faulty;
-  Parsed parsed = Run(request).Parse(ParseUntil::kTree);
+  if (!IsOneSource(request)) {
+    if (request.kept != nullptr) request.kept->reset();
+    return faulty;
+  }
+  Parsed parsed = ParseKeeping(request);
   Reporter(request, parsed).Run();
   Unit& unit = parsed.output.unit;
   unit.faulty = unit.faulty || request.diagnostics->HasErrors();

@@ -13,6 +13,8 @@ namespace plcxx::hnc {
 
 /// Always gives a unit; `faulty` tells that errors were reported.
 Unit Parse(dialects::Request& request);
+/// Where something is kept of this run: with the tree that Parse gave.
+void Keep(dialects::Request& request, Unit unit);
 
 /// The same for a program without errors, and what Clang makes of it: LLVM's bitcode, empty where there is none.
 struct CompiledUnit {

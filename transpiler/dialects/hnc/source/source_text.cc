@@ -5,7 +5,9 @@
 #include <cctype>
 #include <charconv>
 #include <cstdio>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "transpiler/dialects/hnc/syntax/characters.h"
 #include "transpiler/source/characters.h"
@@ -81,6 +83,15 @@ class Rewriter {
     out_.map.push_back({0, 0});
   }
 
+  /// False: one of the parts is within something else than code.
+  bool RunWithout(std::vector<LeftOutText>& parts) {
+    for (LeftOutText& part : parts) {
+      while (at_ < part.begin) Step();
+      if (at_ != part.begin) return false;
+      LeaveOut(part);
+    }
+    return true;
+  }
   SourceText Run() {
     while (at_ < text_.size()) Step();
     if (!out_.text.ends_with('\n')) Put('\n');
@@ -136,6 +147,7 @@ class Rewriter {
 
   bool WasReplaced() const { return std::ranges::binary_search(file_.replaced, static_cast<uint32_t>(at_)); }
 
+  void LeaveOut(LeftOutText& part);
   void Step();
   void CodeCharacter();
   void ForeignCharacter();
@@ -161,6 +173,18 @@ class Rewriter {
   size_t foreign_end_ = SIZE_MAX;  // where the last reported run of foreign characters ended
   SourceText out_;
 };
+
+void Rewriter::LeaveOut(LeftOutText& part) {
+  for (; at_ < part.end; ++at_) {
+    const size_t end = std::min(text_.find_first_of("\r\n", at_), size_t{part.end});
+    at_ = end;
+    if (end == part.end) break;
+    if (LineEnd() == 2) ++at_;
+    Put('\n');
+  }
+  Mark();
+  std::ranges::move(part.comments, std::back_inserter(out_.comments));
+}
 
 void Rewriter::Step() {
   if (LineEnd() != 0) {
@@ -452,6 +476,13 @@ void Rewriter::CharacterConstant() {
 
 SourceText Rewrite(const source::SourceManager& sources, source::FileId file) {
   return Rewriter(sources.Get(file), file).Run();
+}
+
+std::optional<SourceText> RewriteWithout(const source::SourceManager& sources, source::FileId file,
+                                         std::vector<LeftOutText> parts) {
+  Rewriter rewriter(sources.Get(file), file);
+  if (!rewriter.RunWithout(parts)) return std::nullopt;
+  return rewriter.Run();
 }
 
 SourceText ProductText(std::string name, std::string text) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,16 @@ struct SourceText {
 /// Makes places after a #line show as it says: as places of a text with that name and those lines (2.7).
 void ApplyLineDirectives(source::SourceManager& sources, SourceText& text);
 
+/// A part of a file that is left out, and the comments in it.
+struct LeftOutText {
+  uint32_t begin = 0, end = 0;  // in the file's text
+  std::vector<Comment> comments;
+};
+
 SourceText Rewrite(const source::SourceManager& sources, source::FileId file);
+/// Without these parts, by place: their line ends stay. Gives no text where one does not begin with a token.
+std::optional<SourceText> RewriteWithout(const source::SourceManager& sources, source::FileId file,
+                                         std::vector<LeftOutText> parts);
 /// A header of the product: nothing to rewrite, no places.
 SourceText ProductText(std::string name, std::string text);
 

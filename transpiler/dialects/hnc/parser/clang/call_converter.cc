@@ -26,7 +26,7 @@ ExprId CallConverter::Handler(const clang::Expr* argument) {
   Expr result = builder_.Start(ExprKind::kFunction, argument);
   if (function != nullptr) {
     result.function = functions_.FunctionOf(function);
-    list_.push_back({{}, function, true, RangeOf(argument)});
+    list_.push_back({{}, function, true, RangeOf(argument), now_.recorder.index()});
     return unit_.expressions.Add(std::move(result));
   }
   if (argument->isNullPointerConstant(context_, clang::Expr::NPC_NeverValueDependent) != clang::Expr::NPCK_NotNull) {
@@ -65,7 +65,8 @@ ExprId CallConverter::CallOf(const clang::CallExpr* expr) {
   if (poison) result.kind = ExprKind::kPoison;
   const ExprId id = unit_.expressions.Add(std::move(result));
   // The type of the name is that at this place: a prototype after it does not convert arguments.
-  list_.push_back({poison ? ExprId() : id, function, decay->getSubExpr()->getType()->isFunctionProtoType(), range});
+  list_.push_back({poison ? ExprId() : id, function, decay->getSubExpr()->getType()->isFunctionProtoType(), range,
+                   now_.recorder.index()});
   return id;
 }
 
@@ -74,18 +75,27 @@ void CallConverter::CheckCalls() {
     const clang::FunctionDecl* definition = call.function->getDefinition();
     if (definition != nullptr) {
       const FunctionId id = functions_.FunctionOf(definition);
-      if (!call.had_prototype || !unit_.functions[id].has_prototype) CheckArguments(call, definition);
+      if (call.had_prototype && unit_.functions[id].has_prototype) continue;
+      if (definition->getNumParams() > 0) RefuseBodyOf(call);
+      CheckArguments(call, definition);
       continue;
     }
     const FunctionId id = functions_.FunctionOf(call.function);
     if (unit_.functions[id].system) {
       const auto* expected = Expected<clang::FunctionDecl>(call.function->getNameAsString());
-      if (!call.had_prototype && expected != nullptr) CheckArguments(call, expected);
+      if (call.had_prototype || expected == nullptr) continue;
+      if (expected->getNumParams() > 0) RefuseBodyOf(call);
+      CheckArguments(call, expected);
       continue;
     }
+    RefuseBodyOf(call);
     if (!ReportRefused(call)) ReportUndefined(call);
     if (call.expr.valid()) unit_.expressions[call.expr].kind = ExprKind::kPoison;
   }
+}
+
+void CallConverter::RefuseBodyOf(const Call& call) {
+  if (call.body < session_.output.bodies.size()) session_.output.bodies[call.body].is_reusable = false;
 }
 
 bool CallConverter::ReportRefused(const Call& call) {

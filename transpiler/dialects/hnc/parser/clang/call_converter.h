@@ -29,6 +29,7 @@ class CallConverter : private NodeConverter {
     const clang::FunctionDecl* function;
     bool had_prototype;
     source::Range range;
+    uint32_t body = 0;  // among ParserOutput::bodies
   };
 
   ExprId Handler(const clang::Expr* argument);
@@ -42,6 +43,9 @@ class CallConverter : private NodeConverter {
   ExpressionBuilder& builder_;
   ExpressionConverter& expressions_;
   FunctionConverter& functions_;
+  /// What is found of a call, or changed in it, once all definitions are known, is no part of its body.
+  void RefuseBodyOf(const Call& call);
+
   std::vector<Call> list_;  // in the order of the source
 };
 

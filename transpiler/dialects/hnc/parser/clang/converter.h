@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "transpiler/dialects/hnc/parser/clang/body_keeper.h"
 #include "transpiler/dialects/hnc/parser/clang/call_converter.h"
 #include "transpiler/dialects/hnc/parser/clang/constant_folder.h"
 #include "transpiler/dialects/hnc/parser/clang/declared_type_checker.h"
@@ -30,11 +31,12 @@ class Converter : private NodeConverter {
         promotions_(conversion, types_, builder_),
         checker_(conversion, folder_, expressions_),
         variables_(conversion, types_, checker_, builder_, expressions_),
-        functions_(conversion, types_, checker_, variables_, statements_),
+        functions_(conversion, types_, checker_, variables_, bodies_),
         expressions_(conversion, types_, builder_, promotions_, variables_, operators_, calls_),
         operators_(conversion, types_, builder_, promotions_, expressions_),
         calls_(conversion, types_, builder_, expressions_, functions_),
-        statements_(conversion, folder_, checker_, variables_, expressions_) {}
+        statements_(conversion, folder_, checker_, variables_, expressions_),
+        bodies_(conversion, types_, variables_, functions_, statements_) {}
   Converter(const Converter&) = delete;
   Converter& operator=(const Converter&) = delete;
 
@@ -60,6 +62,7 @@ class Converter : private NodeConverter {
   OperatorConverter operators_;
   CallConverter calls_;
   StatementConverter statements_;
+  BodyKeeper bodies_;
 };
 
 }  // namespace plcxx::hnc

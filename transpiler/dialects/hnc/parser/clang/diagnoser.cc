@@ -556,6 +556,10 @@ void Diagnoser::AddNote(const clang::Diagnostic& info) {
 
 void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& info) {
   if (level == clang::DiagnosticsEngine::Note) return AddNote(info);
+  if (IsError(level)) ++session_.errors;
+  if (info.getID() == cd::warn_implicit_function_decl || info.getID() == cd::ext_implicit_function_decl_c99) {
+    session_.output.open_names.push_back(ArgumentText(info, 0));
+  }
   reported_last_ = false;
   // Accepted, but not with each operation: the note after it tells.
   folded_size_ = info.getID() == cd::ext_vla_folded_to_constant ? RangeOf(info) : source::Range{};

@@ -469,6 +469,7 @@ void Filter::String() {
 /// Names that agree in their significant letters are one name for the original compiler.
 void Filter::CheckLength(const std::string& name) {
   if (name.size() < kSignificantLetters) return;
+  session_.output.can_keep = false;  // which of two is reported depends on what stands in front
   const auto [known, is_new] = long_names_.emplace(name.substr(0, kSignificantLetters), name);
   if (is_new || known->second == name) return;
   session_.findings().Report(RangeOf(Peek()), diag::HncNameLength, name, known->second);

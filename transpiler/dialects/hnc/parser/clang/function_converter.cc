@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "transpiler/dialects/hnc/machine/machine.h"
-#include "transpiler/dialects/hnc/parser/clang/statement_converter.h"
+#include "transpiler/dialects/hnc/parser/clang/body_keeper.h"
 #include "transpiler/dialects/hnc/parser/clang/variable_converter.h"
 
 namespace plcxx::hnc {
@@ -23,7 +23,10 @@ bool IsWritten(const clang::FunctionDecl* function) {
 FunctionId FunctionConverter::FunctionOf(const clang::FunctionDecl* function) {
   const clang::FunctionDecl* key = function->getCanonicalDecl();
   const auto known = functions_.find(key);
-  if (known != functions_.end()) return known->second;
+  if (known != functions_.end()) {
+    Note(function, known->second);
+    return known->second.id;
+  }
   const clang::FunctionDecl* definition = function->getDefinition();
   const clang::FunctionDecl* described = definition != nullptr ? definition : function->getMostRecentDecl();
   Function result;
@@ -50,8 +53,20 @@ FunctionId FunctionConverter::FunctionOf(const clang::FunctionDecl* function) {
   result.range = NameOf(described);
   if (InProduct(described)) result.range = {};
   const FunctionId id = unit_.functions.Add(std::move(result));
-  functions_.emplace(key, id);
+  Note(function, functions_.emplace(key, Known{.id = id}).first->second);
   return id;
+}
+
+/// A function that only a body declares is not at file level.
+void FunctionConverter::Note(const clang::FunctionDecl* function, Known& known) {
+  BodyRecorder& recorder = now_.recorder;
+  if (!recorder.is_recording() || known.noted == recorder.serial()) return;
+  known.noted = recorder.serial();
+  recorder.Add(NeedKind::kFunction, known.id.index);
+  const auto named = recorder.names.functions.find(function->getIdentifier());
+  const bool is_found = named != recorder.names.functions.end() && named->second == function->getCanonicalDecl();
+  const bool is_open = function->isImplicit() || !function->getLexicalDeclContext()->isTranslationUnit();
+  if (!is_found || is_open) recorder.Refuse();
 }
 
 void FunctionConverter::CheckFunction(const clang::FunctionDecl* function) {
@@ -108,7 +123,7 @@ void FunctionConverter::Define(const clang::FunctionDecl* function) {
     head_end = std::max(head_end, session_.places.OfToken(type.getRParenLoc()).end);
   }
   unit_.functions[id].head = {session_.places.Of(function->getBeginLoc()), head_end};
-  unit_.functions[id].body = statements_.ConvertBody(function);
+  unit_.functions[id].body = bodies_.BodyOf(function);
   const std::string name = function->getNameAsString();
   if (name == "init") unit_.init = id;
   if (name == "plc1") unit_.plc1 = id;

@@ -9,14 +9,14 @@
 
 namespace plcxx::hnc {
 
-class StatementConverter;
+class BodyKeeper;
 class VariableConverter;
 
 class FunctionConverter : private NodeConverter {
  public:
   FunctionConverter(Conversion& conversion, TypeConverter& types, DeclaredTypeChecker& checker,
-                    VariableConverter& variables, StatementConverter& statements)
-      : NodeConverter(conversion), types_(types), checker_(checker), variables_(variables), statements_(statements) {}
+                    VariableConverter& variables, BodyKeeper& bodies)
+      : NodeConverter(conversion), types_(types), checker_(checker), variables_(variables), bodies_(bodies) {}
 
   FunctionId FunctionOf(const clang::FunctionDecl* function);
   void CheckFunction(const clang::FunctionDecl* function);
@@ -28,8 +28,14 @@ class FunctionConverter : private NodeConverter {
   TypeConverter& types_;
   DeclaredTypeChecker& checker_;
   VariableConverter& variables_;
-  StatementConverter& statements_;
-  std::unordered_map<const clang::FunctionDecl*, FunctionId> functions_;  // only asked
+  struct Known {
+    FunctionId id;
+    uint32_t noted = 0;  // by which body last
+  };
+  void Note(const clang::FunctionDecl* function, Known& known);
+
+  BodyKeeper& bodies_;
+  std::unordered_map<const clang::FunctionDecl*, Known> functions_;  // only asked
 };
 
 }  // namespace plcxx::hnc

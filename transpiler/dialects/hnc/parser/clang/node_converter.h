@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "transpiler/dialects/hnc/parser/clang/body_recorder.h"
 #include "transpiler/dialects/hnc/parser/clang/extents.h"
 #include "transpiler/dialects/hnc/parser/clang/session.h"
 
@@ -19,6 +20,7 @@ namespace plcxx::hnc {
 struct Conversion {
   Session& session;
   Extents extents{};
+  BodyRecorder recorder{};
   FunctionId function{};                                                // the one whose body is converted
   std::unordered_map<std::string, const clang::NamedDecl*> expected{};  // by name: what the product declares
   std::unordered_set<std::string> bodies{};     // functions that have one, also where it was refused

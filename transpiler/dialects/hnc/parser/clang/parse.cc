@@ -1,6 +1,7 @@
 // The module's one function: text to tokens to Clang's tree to ours.
 #include <clang/AST/ASTConsumer.h>
 #include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclLookups.h>
 #include <clang/Lex/Preprocessor.h>
 #include <clang/Parse/ParseAST.h>
 #include <clang/Parse/Parser.h>
@@ -86,6 +87,12 @@ class Repetitions {
   std::unordered_map<const clang::IdentifierInfo*, uint32_t> counts_;  // only asked
 };
 
+void NoteUnclean(Session& session, clang::DeclGroupRef group) {
+  for (const clang::Decl* declaration : group) {
+    if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(declaration)) session.unclean.insert(function);
+  }
+}
+
 void Run(const ParserInput& input, ParseUntil until, ParserOutput& output) {
   Session session(input, until, output);
   SetUp(session);
@@ -93,6 +100,26 @@ void Run(const ParserInput& input, ParseUntil until, ParserOutput& output) {
   FilterTokens(session);
   if (until == ParseUntil::kTokens) return PutTokens(session);
   ParseTokens(session);
+  if (session.stopped) output.can_keep = output.kept_fits = false;
+}
+
+/// What a body declares, and what is declared at file level, too, or in other bodies: they are one object.
+void CollectOpenNames(Session& session) {
+  const clang::ASTContext& context = session.clang.getASTContext();
+  std::vector<std::string>& names = session.output.open_names;
+  for (const auto& found : context.getExternCContextDecl()->noload_lookups(/*PreserveInternalState=*/true)) {
+    for (const clang::NamedDecl* declaration : found) names.push_back(declaration->getNameAsString());
+  }
+  const auto is_within = [](const clang::Decl* declaration) {
+    return declaration != nullptr && !declaration->getLexicalDeclContext()->isTranslationUnit();
+  };
+  for (const clang::Decl* declaration : context.getTranslationUnitDecl()->decls()) {
+    const bool function = llvm::isa<clang::FunctionDecl>(declaration);
+    if (!function && !llvm::isa<clang::VarDecl>(declaration)) continue;
+    const bool open = is_within(declaration) || is_within(declaration->getPreviousDecl()) ||
+                      is_within(declaration->getMostRecentDecl()) || (function && declaration->isImplicit());
+    if (open) names.push_back(llvm::cast<clang::NamedDecl>(declaration)->getNameAsString());
+  }
 }
 
 }  // namespace
@@ -126,9 +153,15 @@ void ParseTokens(Session& session) {
     clang::Sema::ModuleImportState imports = clang::Sema::ModuleImportState::NotACXX20Module;
     clang::ASTConsumer& consumer = clang.getASTConsumer();
     Repetitions repetitions(session);
+    size_t found = session.findings().all().size();
+    uint32_t errors = session.errors;
     for (bool at_end = parser.ParseFirstTopLevelDecl(group, imports); !at_end;
          at_end = parser.ParseTopLevelDecl(group, imports)) {
+      const bool clean = found == session.findings().all().size() && errors == session.errors;
+      found = session.findings().all().size();
+      errors = session.errors;
       if (!group) continue;
+      if (!clean) NoteUnclean(session, group.get());
       repetitions.Count(group.get());
       consumer.HandleTopLevelDecl(group.get());
     }
@@ -137,10 +170,16 @@ void ParseTokens(Session& session) {
   }
   // About as many expressions as tokens, and growing copies all of them again and again; the tokens are read.
   constexpr size_t kTokensOfStatement = 8;
-  session.output.unit.expressions.Reserve(session.tokens.size());
-  session.output.unit.statements.Reserve(session.tokens.size() / kTokensOfStatement);
+  size_t expressions = session.tokens.size(), statements = session.tokens.size() / kTokensOfStatement;
+  if (session.input.kept != nullptr) {
+    expressions += session.input.kept->unit->expressions.size();
+    statements += session.input.kept->unit->statements.size();
+  }
+  session.output.unit.expressions.Reserve(expressions);
+  session.output.unit.statements.Reserve(statements);
   session.tokens = {};
   session.findings().SetPhase(Phase::kMeaning);
+  if (session.input.keeps_bodies) CollectOpenNames(session);
   Conversion conversion{.session = session};
   Converter(conversion).Run();
   if (session.until == ParseUntil::kCode) session.output.bitcode = GenerateCode(session, all);

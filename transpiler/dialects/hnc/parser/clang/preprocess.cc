@@ -74,15 +74,19 @@ class Watcher : public clang::PPCallbacks {
                                                     diag::HncMacroRedefined, name.getIdentifierInfo()->getName());
       if (other.begin != 0) finding.notes.push_back({other, "the other one is here"});
     }
-    IdOf(*macro->getMacroInfo(), name);
+    IdOf(*macro->getMacroInfo(), *name.getIdentifierInfo());
   }
 
   void MacroExpands(const clang::Token& name, const clang::MacroDefinition& macro, clang::SourceRange range,
                     const clang::MacroArgs* /*arguments*/) override {
     if (name.getLocation().isMacroID() || session_.places.InProduct(name.getLocation())) return;
     const clang::MacroInfo* info = macro.getMacroInfo();
-    if (info == nullptr || info->isBuiltinMacro()) return;
-    const MacroId id = IdOf(*info, name);
+    if (info == nullptr) return;
+    if (info->isBuiltinMacro()) {  // __LINE__ is another one where lines were added in front of it
+      session_.output.builtin_uses.push_back(session_.places.Of(range).begin);
+      return;
+    }
+    const MacroId id = IdOf(*info, *name.getIdentifierInfo());
     const source::Range place = session_.places.Of(range);
     session_.macro_uses.Add(place.begin, session_.output.unit.macro_uses.Add({id, place}));
   }
@@ -93,6 +97,28 @@ class Watcher : public clang::PPCallbacks {
 
   void PragmaDirective(clang::SourceLocation place, clang::PragmaIntroducerKind introducer) override;
 
+  /// The uses of macros in a body that the text does not have.
+  void PassElided(uint32_t index) {
+    const KeptBodies& kept = *session_.input.kept;
+    const ElidedBody& elided = kept.elided[index];
+    const FunctionBody& body = (*kept.bodies)[elided.body];
+    const source::Offset distance = elided.inside.begin - body.inside.begin;
+    Unit& unit = session_.output.unit;
+    // The files are opened while they are read.
+    session_.elided_uses.resize(kept.elided.size(), Session::kNotElided);
+    session_.elided_uses[index] = unit.macro_uses.size();
+    for (uint32_t i = 0; i < body.macro_uses.count; ++i) {
+      const MacroUse& use = kept.unit->macro_uses[MacroUseId(body.macro_uses.first + i)];
+      const clang::IdentifierInfo* name = preprocessor_.getIdentifierInfo(kept.unit->macros[use.macro].name);
+      const clang::MacroInfo* info = preprocessor_.getMacroInfo(name);
+      if (info == nullptr) {
+        session_.output.kept_fits = false;
+        return;
+      }
+      unit.macro_uses.Add({IdOf(*info, *name), {use.range.begin + distance, use.range.end + distance}});
+    }
+  }
+
  private:
   /// The same parameters and the same tokens, however they are spaced.
   bool IsSame(const clang::MacroInfo& a, const clang::MacroInfo& b) const {
@@ -102,12 +128,12 @@ class Watcher : public clang::PPCallbacks {
       return x.getKind() == y.getKind() && preprocessor_.getSpelling(x) == preprocessor_.getSpelling(y);
     });
   }
-  MacroId IdOf(const clang::MacroInfo& info, const clang::Token& name) {
+  MacroId IdOf(const clang::MacroInfo& info, const clang::IdentifierInfo& name) {
     const auto known = ids_.find(&info);
     if (known != ids_.end()) return known->second;
     const bool system = session_.places.InProduct(info.getDefinitionLoc());
     const MacroId id = session_.output.unit.macros.Add(
-        {.name = name.getIdentifierInfo()->getName().str(),
+        {.name = name.getName().str(),
          .has_parameters = info.isFunctionLike(),
          .is_system = system,
          .range = system ? source::Range{} : session_.places.OfToken(info.getDefinitionLoc())});
@@ -173,6 +199,7 @@ class Limit {
   }
   Limit(const Limit&) = delete;
   Limit& operator=(const Limit&) = delete;
+  size_t tokens() const { return tokens_; }
   ~Limit() {
     preprocessor_.setPreprocessToken(false);
     preprocessor_.setTokenWatcher(nullptr);
@@ -205,9 +232,20 @@ class Limit {
 
 }  // namespace
 
+uint32_t Session::ElidedAt(source::Offset brace) const {
+  if (input.kept == nullptr || brace == 0) return kNotElided;
+  const std::vector<ElidedBody>& elided = input.kept->elided;
+  const auto at =
+      std::ranges::lower_bound(elided, brace + 1, {}, [](const ElidedBody& body) { return body.inside.begin; });
+  if (at == elided.end() || at->inside.begin != brace + 1) return kNotElided;
+  return static_cast<uint32_t>(std::distance(elided.begin(), at));
+}
+
 void Preprocess(Session& session) {
   clang::Preprocessor& preprocessor = session.clang.getPreprocessor();
-  preprocessor.addPPCallbacks(std::make_unique<Watcher>(session));
+  auto made = std::make_unique<Watcher>(session);
+  Watcher& watcher = *made;
+  preprocessor.addPPCallbacks(std::move(made));
   preprocessor.IgnorePragmas();  // the watcher has seen them
   preprocessor.EnterMainSourceFile();
   const Limit limit(session);
@@ -218,8 +256,12 @@ void Preprocess(Session& session) {
   do {
     preprocessor.Lex(token);
     session.tokens.push_back(token);
+    if (session.input.kept == nullptr || token.isNot(clang::tok::l_brace) || token.getLocation().isMacroID()) continue;
+    const uint32_t elided = session.ElidedAt(session.places.Of(token.getLocation()));
+    if (elided != Session::kNotElided) watcher.PassElided(elided);
   } while (token.isNot(clang::tok::eof));
   session.macro_uses.Sort();
+  session.output.token_count = limit.tokens();
 }
 
 }  // namespace plcxx::hnc

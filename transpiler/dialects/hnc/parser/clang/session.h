@@ -7,6 +7,7 @@
 #include <clang/Lex/Token.h>
 
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "transpiler/dialects/hnc/parser/clang/macro_uses.h"
@@ -77,9 +78,16 @@ struct Session {
   std::vector<clang::Token> tokens;       // after the preprocessor and the language's own words
   MacroUses macro_uses;
   std::vector<LoopBound> loop_bounds;  // #pragma plcxx loop_bound, by place
-  bool stopped = false;                // nested too deep, too many errors: what follows the place is not looked at
+  std::vector<uint32_t>
+      elided_uses;  // by index into KeptBodies::elided: the first of its macro uses, once it was passed
+  std::unordered_set<const clang::FunctionDecl*> unclean;  // something was found while they were parsed
+  uint32_t errors = 0;                                     // that Clang reports, whatever becomes of them
+  bool stopped = false;  // nested too deep, too many errors: what follows the place is not looked at
 
   Findings& findings() { return output.findings; }
+  /// Index into KeptBodies::elided of the body whose '{' is there; kNotElided: it is in the text.
+  static constexpr uint32_t kNotElided = UINT32_MAX;
+  uint32_t ElidedAt(source::Offset brace) const;
   clang::SourceManager& sources() { return clang.getSourceManager(); }
   /// The parser, which reads `tokens`, finds their end after the token where it is.
   void Stop();

@@ -105,6 +105,8 @@ StatementId StatementConverter::Declaration(const clang::DeclStmt* statement) {
     if (const auto* record = llvm::dyn_cast<clang::RecordDecl>(declaration)) checker_.CheckMembers(record);
     if (const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(declaration)) checker_.CheckEnumerators(enumeration);
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(declaration);
+    // What is no plain variable may be seen beyond the body, or has members of its own.
+    if (variable == nullptr || variable->isInvalidDecl() || variable->isLocalExternDecl()) now_.recorder.Refuse();
     if (variable == nullptr || variable->isInvalidDecl()) continue;
     if (variable->isLocalExternDecl()) {
       variables_.CheckSystemVariable(variable);

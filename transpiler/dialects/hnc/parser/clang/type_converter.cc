@@ -11,7 +11,6 @@ std::string TypeConverter::TextOf(clang::QualType type) const {
   return type.getUnqualifiedType().getAsString(context_.getPrintingPolicy());
 }
 
-/// Equal descriptions are one type.
 TypeId TypeConverter::Add(Type type) {
   std::string key = std::to_string(static_cast<int>(type.kind));
   for (const uint32_t part :
@@ -29,23 +28,59 @@ TypeId TypeConverter::Integer(unsigned bits, bool is_signed) {
   const char* const text = bits == 8    ? (is_signed ? "signed char" : "unsigned char")
                            : bits == 16 ? (is_signed ? "int" : "unsigned int")
                                         : (is_signed ? "long" : "unsigned long");
-  return Add({.kind = TypeKind::kInteger,
-              .bits = static_cast<uint8_t>(bits),
-              .is_signed = is_signed,
-              .element = {},
-              .count = 0,
-              .record = {},
-              .size = bits / 8,
-              .text = text});
+  const TypeId id = Add({.kind = TypeKind::kInteger,
+                         .bits = static_cast<uint8_t>(bits),
+                         .is_signed = is_signed,
+                         .element = {},
+                         .count = 0,
+                         .record = {},
+                         .size = bits / 8,
+                         .text = text});
+  uint32_t& noted = noted_integers_[bits / 8 * 2 + (is_signed ? 1 : 0)];
+  if (now_.recorder.is_recording() && noted != now_.recorder.serial()) {
+    noted = now_.recorder.serial();
+    now_.recorder.Add(NeedKind::kType, id.index);
+  }
+  return id;
 }
 
 TypeId TypeConverter::TypeOf(clang::QualType qualified) {
   const clang::QualType type = qualified.getCanonicalType().getUnqualifiedType();
   const auto known = known_types_.find(type.getAsOpaquePtr());
-  if (known != known_types_.end()) return known->second;
+  if (known != known_types_.end()) {
+    Known& entry = known->second;  // stays where it is, unlike the iterator
+    Note(type, entry);
+    return entry.id;
+  }
   const TypeId id = Describe(type);
-  known_types_.emplace(type.getAsOpaquePtr(), id);
+  Note(type, known_types_.emplace(type.getAsOpaquePtr(), Known{.id = id}).first->second);
   return id;
+}
+
+/// Parts of a type before it, as Describe adds them.
+void TypeConverter::Note(clang::QualType type, Known& known) {
+  BodyRecorder& recorder = now_.recorder;
+  if (!recorder.is_recording() || known.noted == recorder.serial()) return;
+  known.noted = recorder.serial();
+  const TypeId id = known.id;
+  if (const auto* pointer = type->getAs<clang::PointerType>()) TypeOf(pointer->getPointeeType());
+  if (const clang::ArrayType* array = context_.getAsArrayType(type)) TypeOf(array->getElementType());
+  if (unit_.types[id].kind == TypeKind::kRecord) return NoteRecord(type, id);
+  recorder.Add(NeedKind::kType, id.index, unit_.types[id].kind == TypeKind::kInteger ? std::string() : TextOf(type));
+}
+
+void TypeConverter::NoteRecord(clang::QualType type, TypeId id) {
+  BodyRecorder& recorder = now_.recorder;
+  const auto* record = llvm::cast<clang::RecordDecl>(type->getAs<clang::RecordType>()->getDecl()->getCanonicalDecl());
+  const clang::TypedefNameDecl* alias = record->getTypedefNameForAnonDecl();
+  const bool is_tagged = record->getIdentifier() != nullptr;
+  const clang::IdentifierInfo* name = is_tagged          ? record->getIdentifier()
+                                      : alias != nullptr ? alias->getIdentifier()
+                                                         : nullptr;
+  const auto& names = is_tagged ? recorder.names.tags : recorder.names.typedefs;
+  const auto named = name == nullptr ? names.end() : names.find(name);
+  if (named == names.end() || named->second != record) return recorder.Refuse();
+  recorder.Add(is_tagged ? NeedKind::kTaggedRecord : NeedKind::kTypedefRecord, id.index, name->getName().str());
 }
 
 TypeId TypeConverter::Describe(clang::QualType type) {

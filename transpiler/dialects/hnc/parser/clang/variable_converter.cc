@@ -33,7 +33,10 @@ const clang::VarDecl* DefinitionOf(const clang::VarDecl* variable) {
 VariableId VariableConverter::VariableOf(const clang::VarDecl* variable) {
   const clang::VarDecl* key = variable->getCanonicalDecl();
   const auto known = variables_.find(key);
-  if (known != variables_.end()) return known->second;
+  if (known != variables_.end()) {
+    Note(variable, known->second);
+    return known->second.id;
+  }
   Variable result;
   result.name = variable->getNameAsString();
   const clang::VarDecl* described = variable;
@@ -52,9 +55,25 @@ VariableId VariableConverter::VariableOf(const clang::VarDecl* variable) {
   result.is_register = variable->getStorageClass() == clang::SC_Register;
   result.range = NameOf(described);
   const VariableId id = unit_.variables.Add(std::move(result));
-  variables_.emplace(key, id);
+  Note(variable, variables_.emplace(key, Known{.id = id}).first->second);
+  const uint32_t expressions = unit_.expressions.size();
   Initialise(described, id);
+  // Expressions that are no part of the body, between those that are.
+  if (IsFileVariable(variable) && unit_.expressions.size() != expressions) now_.recorder.Refuse();
   return id;
+}
+
+void VariableConverter::Note(const clang::VarDecl* variable, Known& known) {
+  BodyRecorder& recorder = now_.recorder;
+  if (!recorder.is_recording() || known.noted == recorder.serial()) return;
+  known.noted = recorder.serial();
+  if (llvm::isa<clang::ParmVarDecl>(variable)) return;
+  if (!IsFileVariable(variable)) return recorder.Add(NeedKind::kLocal, known.id.index);
+  recorder.Add(NeedKind::kFileVariable, known.id.index);
+  const auto named = recorder.names.variables.find(variable->getIdentifier());
+  const bool is_found = named != recorder.names.variables.end() && named->second == variable->getCanonicalDecl();
+  const bool is_open = !variable->getLexicalDeclContext()->isTranslationUnit();
+  if (!is_found || is_open || unit_.variables[known.id].storage == Storage::kUndefined) recorder.Refuse();
 }
 
 void VariableConverter::DescribeFileVariable(const clang::VarDecl* variable, Variable& result) {

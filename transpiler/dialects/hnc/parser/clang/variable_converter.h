@@ -32,7 +32,13 @@ class VariableConverter : private NodeConverter {
   DeclaredTypeChecker& checker_;
   ExpressionBuilder& builder_;
   ExpressionConverter& expressions_;
-  std::unordered_map<const clang::VarDecl*, VariableId> variables_;  // only asked
+  struct Known {
+    VariableId id;
+    uint32_t noted = 0;  // by which body last
+  };
+  void Note(const clang::VarDecl* variable, Known& known);
+
+  std::unordered_map<const clang::VarDecl*, Known> variables_;  // only asked
 };
 
 }  // namespace plcxx::hnc

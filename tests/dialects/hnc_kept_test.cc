@@ -1,0 +1,426 @@
+// Bodies that are taken over from the run before: after each of many edits the tree and the messages are those of a run
+// that has nothing to take over.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <random>
+#include <sstream>
+
+#include "tests/dialects/hnc_parsing.h"
+#include "tests/temporary_directory.h"
+#include "transpiler/dialects/hnc/parser/kept_program.h"
+
+namespace plcxx::hnc {
+namespace {
+
+/// Everything in a tree, with places as places in files: numbers of places differ between runs that read more files.
+class TreeText {
+ public:
+  TreeText(const source::SourceManager& sources, const Unit& unit) : sources_(sources), unit_(unit) {}
+
+  std::string Run() {
+    for (const Type& type : unit_.types) Put(type);
+    for (const Record& record : unit_.records) Put(record);
+    for (const Variable& variable : unit_.variables) Put(variable);
+    for (const Function& function : unit_.functions) Put(function);
+    for (const Label& label : unit_.labels) {
+      Line("label") << label.name << At(label.range) << ' ' << label.statement.index << label.used;
+    }
+    for (const Expr& expr : unit_.expressions) Put(expr);
+    for (const Statement& statement : unit_.statements) Put(statement);
+    for (const Macro& macro : unit_.macros) {
+      Line("macro") << macro.name << At(macro.range) << macro.has_parameters << macro.is_system;
+    }
+    for (const MacroUse& use : unit_.macro_uses) Line("use") << use.macro.index << At(use.range);
+    for (const std::string& string : unit_.strings) Line("string") << string;
+    for (const Comment& comment : unit_.comments) Line("comment") << At(comment.range) << comment.text;
+    Line("definitions") << Ids(unit_.definitions) << ' ' << unit_.init.index << ' ' << unit_.plc1.index << ' '
+                        << unit_.plc2.index << At(unit_.last_token) << ' ' << unit_.line_count << ' '
+                        << unit_.statement_count << ' ' << unit_.char_is_signed << unit_.faulty;
+    return out_.str();
+  }
+
+ private:
+  std::ostream& Line(const char* kind) { return out_ << '\n' << kind << ' '; }
+  std::string At(source::Offset place) const {
+    const source::FileId file = sources_.FileAt(place);
+    if (place == 0 || !file.valid()) return " none";
+    const source::File& found = sources_.Get(file);
+    return " " + found.path + ":" + std::to_string(place - found.base);
+  }
+  std::string At(source::Range range) const { return At(range.begin) + " to" + At(range.end); }
+  template <class IdType>
+  static std::string Ids(const std::vector<IdType>& ids) {
+    std::string text = " (";
+    for (const IdType id : ids) text += std::to_string(id.index) + " ";
+    return text + ")";
+  }
+
+  void Put(const Type& type) {
+    Line("type") << static_cast<int>(type.kind) << ' ' << int{type.bits} << type.is_signed << ' ' << type.element.index
+                 << ' ' << type.count << ' ' << type.record.index << ' ' << type.size << ' ' << type.text;
+  }
+  void Put(const Record& record) {
+    Line("record") << record.name << record.is_union << ' ' << record.size << At(record.range);
+    for (const Member& member : record.members) {
+      Line("  member") << member.name << ' ' << member.type.index << ' ' << member.offset << ' ' << member.is_bit_field
+                       << int{member.bit_offset} << ' ' << int{member.bit_width} << At(member.range);
+    }
+  }
+  void Put(const Variable& variable) {
+    Line("variable") << variable.name << ' ' << variable.type.index << ' ' << static_cast<int>(variable.storage)
+                     << variable.is_static << variable.is_const << variable.is_register << variable.initialised << ' '
+                     << variable.function.index << At(variable.range);
+    for (const InitialValue& value : variable.initial) {
+      Line("  initial") << value.offset << ' ' << value.is_bit_field << int{value.bit_offset} << ' '
+                        << int{value.bit_width} << ' ' << value.type.index << ' ' << value.value.index;
+    }
+    if (variable.view) {
+      Line("  view") << static_cast<int>(variable.view->area) << variable.view->table << ' '
+                     << variable.view->element.index << ' ' << variable.view->count;
+    }
+  }
+  void Put(const Function& function) {
+    Line("function") << function.name << ' ' << function.result.index << Ids(function.parameters)
+                     << Ids(function.parameter_types) << Ids(function.locals) << Ids(function.labels)
+                     << function.is_static << function.is_defined << function.has_prototype << ' '
+                     << (function.system ? static_cast<int>(*function.system) : -1) << ' ' << function.body.index
+                     << At(function.range) << At(function.head);
+  }
+  void Put(const Expr& expr) {
+    Line("expression") << static_cast<int>(expr.kind) << ' ' << static_cast<int>(expr.unary) << ' '
+                       << static_cast<int>(expr.binary) << ' ' << static_cast<int>(expr.increment) << ' '
+                       << expr.is_lvalue << expr.is_implicit << expr.parenthesized << expr.whole_macro << ' '
+                       << expr.type.index << ' ' << expr.computation.index << At(expr.range) << At(expr.op) << ' '
+                       << expr.a.index << ' ' << expr.b.index << ' ' << expr.c.index << Ids(expr.arguments)
+                       << expr.variable.index << ' ' << expr.function.index << ' ' << expr.member << ' ' << expr.string
+                       << ' ' << expr.macro.index;
+    if (expr.constant) out_ << " = " << expr.constant->integer << ' ' << expr.constant->real;
+  }
+  void Put(const Statement& statement) {
+    Line("statement") << static_cast<int>(statement.kind) << ' ' << statement.expression.index << ' '
+                      << statement.first.index << ' ' << statement.step.index << ' ' << statement.then.index << ' '
+                      << statement.otherwise.index << Ids(statement.body) << Ids(statement.variables)
+                      << statement.label.index << ' ' << statement.value << ' ' << statement.case_expression.index
+                      << At(statement.range) << At(statement.head) << At(statement.keyword) << At(statement.close)
+                      << At(statement.otherwise_keyword) << ' ' << statement.macro.index;
+    if (statement.loop_bound) out_ << " bound " << statement.loop_bound->rounds << At(statement.loop_bound->range);
+  }
+
+  const source::SourceManager& sources_;
+  const Unit& unit_;
+  std::ostringstream out_;
+};
+
+using Texts = std::map<std::string, std::string>;  // by name; the main source is "main.cld"
+
+/// A program in a folder of its own, as an editor changes it.
+class EditedProgram {
+ public:
+  explicit EditedProgram(Texts texts) : texts_(std::move(texts)) {}
+
+  const Texts& texts() const { return texts_; }
+  void Set(const std::string& name, std::string text) { texts_[name] = std::move(text); }
+  /// How many bodies the last run has taken over.
+  uint32_t taken_over() const { return taken_over_; }
+
+  /// Empty: it is as a run that takes nothing over; else where they differ.
+  std::string Difference() {
+    for (const auto& [name, text] : texts_) {
+      directory_.Write(name, text);
+    }
+    const std::string found = Read(&kept_);
+    const auto* program = dynamic_cast<const KeptProgram*>(kept_.get());
+    taken_over_ = program == nullptr ? 0 : program->taken_over;
+    const std::string expected = Read(nullptr);
+    if (found == expected) return {};
+    const auto at = std::mismatch(found.begin(), found.end(), expected.begin(), expected.end());
+    const auto before = static_cast<size_t>(at.first - found.begin());
+    const size_t begin = before < 300 ? 0 : before - 300;
+    return "taken over:\n" + found.substr(begin, 600) + "\n\nread again:\n" + expected.substr(begin, 600);
+  }
+
+ private:
+  std::string Read(std::unique_ptr<dialects::Kept>* kept) {
+    Parsed parsed;
+    const auto loaded = parsed.sources.Load(directory_.File("main.cld"), LoadOptionsOf(std::nullopt));
+    const auto* file = std::get_if<source::FileId>(&loaded);
+    if (file == nullptr) return "not to be read";
+    dialects::Request request;
+    request.sources = &parsed.sources;
+    request.files = {*file};
+    request.diagnostics = &parsed.diagnostics;
+    request.kept = kept;
+    Unit unit = Parse(request);
+    std::string text = TreeText(parsed.sources, unit).Run();
+    Keep(request, std::move(unit));
+    for (const diag::Diagnostic& diagnostic : parsed.diagnostics.all()) {
+      const source::Position at = parsed.sources.Locate(diagnostic.range.begin);
+      text += "\n" + std::to_string(at.line) + ":" + std::to_string(at.column) + " " +
+              std::to_string(diagnostic.range.end - diagnostic.range.begin) + " " + std::string(diagnostic.row->code) +
+              " " + diagnostic.text;
+      if (at.file.valid()) text += " " + parsed.sources.Get(at.file).path;
+      for (const diag::Note& note : diagnostic.notes) {
+        const source::Position place = parsed.sources.Locate(note.range.begin);
+        text += "\n  " + std::to_string(place.line) + ":" + std::to_string(place.column) + " " + note.text;
+      }
+      for (const diag::FixIt& fixit : diagnostic.fixits) text += "\n  " + fixit.replacement;
+    }
+    return text;
+  }
+
+  testing_support::TemporaryDirectory directory_;
+  Texts texts_;
+  std::unique_ptr<dialects::Kept> kept_;
+  uint32_t taken_over_ = 0;
+};
+
+Texts SampleTexts() {
+  Texts texts;
+  const std::filesystem::path folder = std::string(PLCXX_ROOT) + "/samples/hnc/mill_xk7132";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with(".h") && name != "mill.cld") continue;
+    std::ifstream file(entry.path(), std::ios::binary);
+    texts[name == "mill.cld" ? "main.cld" : name] = std::string(std::istreambuf_iterator<char>(file), {});
+  }
+  return texts;
+}
+
+constexpr const char* kDense = R"(#include "plc.h"
+#include "types.h"
+#define bit(g,b) (X[g]&(1<<(b)))
+#define SAY(a) a
+#define TWICE(f) f(); f()
+typedef struct { int low; int high; } BOUNDS;
+struct axis { unsigned char state; long at; BOUNDS bounds; unsigned flag : 3; };
+union both { int i; unsigned char c[2]; };
+enum mode { IDLE, RUN = 5, STOP };
+struct axis axes[4];
+enum mode mode;
+static const char *const names[] = { "one", "two" };
+extern int later;
+int limited(v, most)
+int v, most;
+{
+    return v > most ? most : v;  // at most
+}
+int plain() { return R[3]; }
+static void count(struct axis *a, enum mode *m)
+{
+    static int n = 7;
+    union both u;
+    const char *text = "counted";  /* a text */
+    u.i = n++;
+    a->at += u.c[0] * 2L;
+    a->flag = 3;
+    *m = RUN;
+    R[4] = text[1] + names[1][0];
+}
+void steps(void)
+{
+    int i, *p = &i;
+    /*@loop_bound 8@*/
+    for (i = 0; i < 4; i++) { axes[i].at = i; count(&axes[i], &mode); }
+    while (bit(1, 2) && i > 0) i--;
+    do i++; while (i < 9);
+    switch (mode) {
+    case IDLE: SAY(R[1] = 1); break;
+    case RUN: { long q = 5; axes[1].at = q << 3; }
+    default: mode = STOP;
+    }
+again:
+    if (*p == 100) { *p += 1; goto again; }
+    asm cli
+    F_ui;
+    *F_ui[3] |= 0x10;
+    asm sti
+    TWICE(plain);
+    later = abs(i) + (unsigned char)i + 'A' + 1.5 * i;
+}
+int later = 12;
+void init() { plc1_time = 16; plc2_time = 32; set_mst_func(0, 'M', on_m); }
+void plc1() { steps(); R[0] = bounded(limited(R[1], 9)); }
+void plc2() { double d = 1; R[9] |= 1; mode = R[9] ? IDLE : RUN; d *= 2; }
+)";
+constexpr const char* kTypes = R"(#ifndef TYPES
+#define TYPES
+typedef unsigned char BYTE;
+int bounded(int v) { return v < 0 ? 0 : v; }
+void on_m(int channel) { BYTE code = 3; R[100] = code + channel; }
+#endif
+)";
+
+Texts DenseTexts() { return {{"main.cld", kDense}, {"types.h", kTypes}}; }
+
+/// What a person types, and what makes another program of all that follows.
+const std::vector<std::string>& Pieces() {
+  static const auto* const pieces = new std::vector<std::string>{" ",
+                                                                 ";",
+                                                                 "\n",
+                                                                 "(",
+                                                                 ")",
+                                                                 "{",
+                                                                 "}",
+                                                                 "1",
+                                                                 "x",
+                                                                 "0",
+                                                                 "=",
+                                                                 "+ 1",
+                                                                 "/*",
+                                                                 "*/",
+                                                                 "//",
+                                                                 "\"",
+                                                                 "'",
+                                                                 "\\\n",
+                                                                 "#\n",
+                                                                 "\n#define bit(g,b) (R[g])\n",
+                                                                 "\n#undef bit\n",
+                                                                 "\n#if 0\n",
+                                                                 "\n#endif\n",
+                                                                 "\n#pragma plcxx loop_bound(4)\n",
+                                                                 "\n#line 7 \"other.c\"\n",
+                                                                 "\n#include \"types.h\"\n",
+                                                                 "extern int later;",
+                                                                 "extern int elsewhere(int);",
+                                                                 "int plain(int);",
+                                                                 "int limited();",
+                                                                 "plain();",
+                                                                 "plai();",
+                                                                 "unknown(1, 2);",
+                                                                 "unknown = 3;",
+                                                                 "byte b;",
+                                                                 "b = 1;",
+                                                                 "struct q { int a; } v; v.a = 1;",
+                                                                 "enum { A1, B1 = 7 };",
+                                                                 "typedef int T; T t;",
+                                                                 "static int n;",
+                                                                 "int i;",
+                                                                 "R[__LINE__] = 1;",
+                                                                 "goto again;",
+                                                                 "again: ;",
+                                                                 "asm cli",
+                                                                 "asm nop",
+                                                                 "near",
+                                                                 "register int k; k = 3;",
+                                                                 "if (R[1]) ",
+                                                                 "else ",
+                                                                 "return 1;",
+                                                                 "return;",
+                                                                 "break;",
+                                                                 "case 3: ",
+                                                                 "/*@loop_bound 5@*/",
+                                                                 "\"two\" ",
+                                                                 "const char *s = \"new\"; R[7] = s[0];",
+                                                                 "unsigned char **pp;",
+                                                                 "float f; f = 2;",
+                                                                 "axes[2].bounds.low++;",
+                                                                 "void inner() { }",
+                                                                 "int more[3] = {1, 2, 3};",
+                                                                 "\xEF\xBC\x9B",
+                                                                 "$",
+                                                                 "_Pragma(\"x\")",
+                                                                 "SAY(plain());",
+                                                                 "a_name_with_more_letters_than_thirty_two = 1;",
+                                                                 "void f(void) { R[3] = 3; }\n",
+                                                                 "later = 3;",
+                                                                 "X0.1",
+                                                                 "limited(1);",
+                                                                 "limited(1, 2L);",
+                                                                 "*F_ui[2] = 5;",
+                                                                 "Y[3] = 1;",
+                                                                 "set_axis_stop(1);",
+                                                                 "printf(\"x\");",
+                                                                 "do ;"};
+  return *pieces;
+}
+
+class Edits {
+ public:
+  Edits(const Texts& texts, uint32_t seed) : originals_(texts), random_(seed) {
+    for (const auto& [name, text] : texts) names_.push_back(name);
+  }
+
+  /// One more change; every few of them the program is as it was.
+  void Apply(EditedProgram& program) {
+    if (Below(3) == 0) {
+      for (const auto& [name, text] : originals_) program.Set(name, text);
+      if (Below(3) == 0) return;
+    }
+    const std::string& name = names_[Below(names_.size())];
+    std::string text = program.texts().at(name);
+    const size_t at = Below(text.size() + 1);
+    switch (Below(8)) {
+      case 0:
+        text.erase(at, Below(3) + 1);
+        break;
+      case 1:
+        text.erase(at, Below(40));
+        break;
+      case 2:
+        text.insert(AtLine(text, at), Pieces()[Below(Pieces().size())]);
+        break;
+      case 3:  // another place of the same text
+        text.insert(at, text.substr(Below(text.size() + 1), Below(30)));
+        break;
+      default:
+        text.insert(BehindStatement(text, at), Pieces()[Below(Pieces().size())]);
+    }
+    program.Set(name, std::move(text));
+  }
+
+ private:
+  size_t Below(size_t limit) { return limit == 0 ? 0 : random_() % limit; }
+  static size_t AtLine(const std::string& text, size_t at) { return std::min(text.find('\n', at), text.size()); }
+  static size_t BehindStatement(const std::string& text, size_t at) {
+    const size_t end = text.find(';', at);
+    return end == std::string::npos ? at : end + 1;
+  }
+
+  Texts originals_;
+  std::mt19937 random_;
+  std::vector<std::string> names_;
+};
+
+void EditAndCompare(const Texts& texts, uint32_t seed, uint32_t count) {
+  EditedProgram program(texts);
+  Edits edits(texts, seed);
+  ASSERT_EQ(program.Difference(), "");
+  uint32_t runs_that_took_over = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    edits.Apply(program);
+    ASSERT_EQ(program.Difference(), "") << "edit " << i << " of seed " << seed << "\n"
+                                        << program.texts().at("main.cld") << "\n---\n"
+                                        << (program.texts().contains("types.h") ? program.texts().at("types.h") : "");
+    if (program.taken_over() > 0) ++runs_that_took_over;
+  }
+  EXPECT_GT(runs_that_took_over * 6, count) << "it is about what is taken over";
+  if (std::getenv("PLCXX_KEPT_EDITS") != nullptr) std::printf("%u of %u\n", runs_that_took_over, count);
+}
+
+uint32_t EditCount(uint32_t usual) {
+  const char* const wanted = std::getenv("PLCXX_KEPT_EDITS");
+  return wanted == nullptr ? usual : static_cast<uint32_t>(std::atoi(wanted));
+}
+
+TEST(HncKept, DenseProgram) {
+  const char* const seed = std::getenv("PLCXX_KEPT_SEED");
+  EditAndCompare(DenseTexts(), seed == nullptr ? 1 : static_cast<uint32_t>(std::atoi(seed)), EditCount(300));
+}
+TEST(HncKept, Sample) {
+  const char* const seed = std::getenv("PLCXX_KEPT_SEED");
+  EditAndCompare(SampleTexts(), seed == nullptr ? 1 : static_cast<uint32_t>(std::atoi(seed)), EditCount(40));
+}
+
+TEST(HncKept, NothingChangedTakesAllOver) {
+  EditedProgram program(SampleTexts());
+  EXPECT_EQ(program.Difference(), "");
+  EXPECT_EQ(program.taken_over(), 0U);
+  EXPECT_EQ(program.Difference(), "");
+  EXPECT_GT(program.taken_over(), 20U);
+}
+
+}  // namespace
+}  // namespace plcxx::hnc

@@ -1,0 +1,72 @@
+// A program as the parser has read it, for the next run (kept_bodies.h): which of its bodies the next run need not
+// read.
+//
+// In: the texts of both runs. Out: texts without the bodies that are as they were, and after the run whether the
+// program was the one that it was taken for. Whatever differs outside of bodies is read again with all of the program.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transpiler/dialects/dialect.h"
+#include "transpiler/dialects/hnc/parser/kept_bodies.h"
+#include "transpiler/dialects/hnc/parser/module.h"
+#include "transpiler/dialects/hnc/source/source_text.h"
+
+namespace plcxx::hnc {
+
+/// By path.
+using LoadedFiles = std::map<std::string, source::FileId>;
+
+class KeptProgram : public dialects::Kept {
+ public:
+  struct File {
+    std::string path, text;
+    source::Encoding encoding{};  // literals have the bytes that the file has
+    source::Offset base = 0;
+  };
+
+  std::string settings;  // all that a run depends on beside the files
+  std::vector<File> files;
+  std::vector<std::string> read;     // paths, as ParserOutput::read
+  std::vector<FunctionBody> bodies;  // in the order of the definitions
+  size_t token_count = 0;
+  uint32_t taken_over = 0;  // how many of the bodies the run did not read
+  Unit unit;
+  bool is_complete = false;  // the unit is there: no fault came between
+};
+
+std::string SettingsOf(const dialects::Request& request);
+
+/// One run that takes bodies over.
+class Reuse {
+ public:
+  explicit Reuse(KeptProgram& before);
+  Reuse(const Reuse&) = delete;
+  Reuse& operator=(const Reuse&) = delete;
+
+  const KeptBodies& bodies() const { return kept_; }
+  void Misfit() { fits_ = false; }
+  bool fits() const { return fits_; }
+  /// Without the bodies that are as before; none: the file is another one.
+  std::optional<SourceText> TextOf(const source::SourceManager& sources, source::FileId file);
+  /// After the run: it was the program before but for the bodies that were read again.
+  bool Fits(const source::SourceManager& sources, const std::vector<const SourceText*>& texts,
+            const ParserOutput& output) const;
+
+ private:
+  KeptProgram& before_;
+  KeptBodies kept_;
+  std::vector<source::Range> expected_;  // by body of the program before: where it is now
+  std::vector<bool> is_elided_;          // likewise
+  bool fits_ = true;
+};
+
+/// What the next run may take over; null: nothing. The tree is still to be added. `before` may be null: the program was
+/// read as a whole.
+std::unique_ptr<KeptProgram> KeepProgram(const dialects::Request& request, const std::vector<const SourceText*>& texts,
+                                         ParserOutput& output, const KeptProgram* before);
+
+}  // namespace plcxx::hnc
