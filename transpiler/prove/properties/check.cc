@@ -22,6 +22,7 @@ constexpr uint32_t kMostFirstMs = 200, kMostQuickMs = 1500;
 constexpr uint32_t kMostPlantedMs = 2000;  // after a violation without the plant
 constexpr uint32_t kMostQuickWindow = 20;
 constexpr std::chrono::seconds kRemarkTime{5};
+constexpr std::chrono::milliseconds kDeepenedTime{1500};  // before runs are tried for long
 constexpr size_t kMostQuestionTerms = 250'000;
 
 const char* const kNoTime = "the time was not enough";
@@ -162,7 +163,9 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
   for (uint32_t period = 1; period <= window; ++period) {
     if (search_runs(period)) return result;
   }
+  auto deepened_end = std::chrono::steady_clock::time_point::max();
   for (uint32_t k = 1; window + k <= options_.most_periods || k == 1; ++k) {
+    if (k == 2) deepened_end = std::chrono::steady_clock::now() + kDeepenedTime;
     if (!options_.only_runs && TryInduction(property, k, result)) return result;
     if (!options_.only_runs && !looked_for_invariants && !Late()) {
       looked_for_invariants = true;
@@ -173,9 +176,11 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
       if (TryRuns(property, std::min(kMostQuickMs, RestMs() / kSearchShare), true, result)) return result;
       if (TryReachable(property, result)) return result;
     }
-    if (k > 1 && try_runs()) return result;
+    // As long as they cost little, more periods hit what takes luck in a run.
+    if (k > 1 && std::chrono::steady_clock::now() > deepened_end && try_runs()) return result;
     if (search_runs(window + k)) return result;
   }
+  if (try_runs()) return result;
   result.reason = "no run of " + Periods(result.searched) + " from power-on violates it, and " +
                   std::to_string(options_.most_periods) + " periods are not enough to prove it";
   return result;
