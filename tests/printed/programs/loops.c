@@ -135,6 +135,9 @@ static void bodies() {
   k = 0; while (k < 10) { if (a) break; k++; }
   k = 0; while (k < 10) { if (a) goto beyond; a++; beyond: k++; }
   k = 0; while (k < 10) { k++; back: a++; if (a < 3) goto back; }
+  k = 0; m = 0; fewer: k++; m += 2; if (k < 10) if (m < 12) goto fewer;
+  k = 0; m = 0; more: k++; m += 2; if (k < 4) if (m < 40) goto more;
+  k = 0; m = 0; same: k++; m++; if (k < 4) if (m < 4) goto same;
   k = 0; while (k < 10) { if (a) goto out; k++; }
   out:
   k = 0; while (k < 10 && a) k++;
