@@ -53,6 +53,7 @@ TEST(Doubles, RootsAndWholeNumbers) {
     ASSERT_TRUE(Same(CeilF64(x), std::ceil(x))) << x;
     ASSERT_TRUE(Same(AbsF64(x), std::fabs(x))) << x;
   }
+  EXPECT_EQ(std::bit_cast<uint64_t>(SqrtF64(-1.0)), 0x7FF8000000000000U) << "on each target, and quiet";
 }
 
 // covers: HNC-189, HNC-190

@@ -194,6 +194,9 @@ TEST(Parts, AProgramOfThreeThousandStatementsIsOneFile) {
   const ir::Program program =
       WithGroups({{"inner subroutine", 3}, {"outer subroutine", 3}, {"slow slow", 400}, {"fast fast", 100}});
   EXPECT_EQ(Legalize(program, {.name = "p"}).parts.size(), 1u);
+  const ir::Program of_a_subroutine =
+      WithGroups({{"inner subroutine", 400}, {"outer subroutine", 3}, {"slow slow", 3}, {"fast fast", 100}});
+  EXPECT_EQ(Legalize(of_a_subroutine, {.name = "p"}).parts.size(), 1u);
 }
 
 TEST(Parts, AreAsManyAsWereAskedFor) {

@@ -23,8 +23,8 @@ void FindSegments(const Flow& flow, Routine& routine) {
   }
   bool into_last_case = false;
   for (const InstructionId id : routine.instructions) {
-    flow.ForEachSuccessor(id, [&](InstructionId to, Edge edge) {
-      if (edge != Edge::kJump || !routine.tail || id < *routine.tail || to >= *routine.tail) return;
+    flow.ForEachSuccessor(id, [&](InstructionId to, Edge) {
+      if (!routine.tail || id < *routine.tail || to >= *routine.tail) return;
       routine.tail_goes_back = true;
       into_last_case |= to >= routine.entries.back();  // which the tail, a part of the same segment, is outside of
     });
