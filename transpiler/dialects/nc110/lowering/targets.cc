@@ -113,7 +113,7 @@ void Targets::StepOneShot(const Operand& target, ir::ValueId input) {
 void Targets::Assign(const Item& item) {
   const Assignment& assignment = tree_.assignments[item.assignment()];
   const Operand& target = assignment.target.operand;
-  if (item.faulty || target.kind == OperandKind::kNone) return;
+  if (item.faulty) return;
   const bool word = TypeOf(target.kind) == Type::kWord;
   if (assignment.mux.valid()) {
     if (word) AssignMux(target, tree_.muxes[assignment.mux]);
