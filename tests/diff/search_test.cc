@@ -322,6 +322,39 @@ TEST(Search, TheTimeIsUsedWhileSomethingIsOpenAndNotMuchMore) {
 }
 
 // The search from a moment of a scenario met an input that only the old version has: it has no cell in the new one.
+/// A sequence that has to be begun with seven signals, and then to stand still for eight seconds.
+const std::string kStuckTurret = R"($
+P0 = I0A1
+U100K0 = (P0 + U100K0)*I0A2*I0A0*/U100K1
+T52I(50) = U100K0*/I0A3
+U100K1 = T52U + U100K1*/I0K1
+DOF: I4K17
+  W101K0 = BIN(W4K0)
+ENDF
+DOF: I0A6
+  W101K1 = W1A0*0FH
+ENDF
+U100K6 = I0A6*[W101K1=W101K0]
+U100K5 = (I4K17*/[W101K0=0]*/[W101K0>W3T0])*/U100K6*U100K0 + U100K5*/[C20W=4]*/I0K1*U100K0
+C20Z = I0K1 + U100K3
+C20I(5) = ([C20W=0]*U100K5 + [C20W=1]*U100K6 + [C20W=2]*T50U + [C20W=3]*I0A7 + [C20W=4]*U100K6)*/C20I
+T50I(10) = [C20W=2]
+U4A2 = [C20W=1]*U100K0*/U4A3
+U4A3 = [C20W=3]*U100K0*/U4A2
+T20I(80) = /[C20W=0]
+U100K3 = T20U + U100K3*/I0K1
+@ = U100K3
+)";
+
+TEST(Search, WhatLeadsToAChangeIsGoneBackTo) {
+  // What the changed statement reads is seen to be 0 until the very end: nothing of it tells how far a run has come.
+  const Diff diff = ComparedUntilShown(kNc110, With(kStuckTurret, "U21K2"), With(kStuckTurret, "U21K3"), {"U21K2"});
+  const DiffItem* const message = ItemNamed(diff, "U21K2");
+  ASSERT_NE(message, nullptr) << NamesIn(diff);
+  EXPECT_EQ(message->verdict, ItemVerdict::kDifferent);
+  EXPECT_TRUE(message->counterexample.has_value());
+}
+
 TEST(Search, GoesOnWithAnInputThatOnlyOneVersionHas) {
   const std::string program =
       "#include \"plc.h\"\nint g, d;\nvoid init(void) { }\n"

@@ -53,7 +53,10 @@ DirectedSearch::Moment DirectedSearch::Here() const {
 }
 
 void DirectedSearch::Keep(Kept why) {
-  Moments& kept = why == Kept::kDiffers ? differing_ : why == Kept::kNew ? new_ : between_;
+  Moments& kept = why == Kept::kDiffers    ? differing_
+                  : why == Kept::kNew      ? new_
+                  : why == Kept::kOnTheWay ? on_the_way_
+                                           : between_;
   auto moment = std::make_shared<Moment>(Here());
   if (kept.size() < most_moments_ / 3) {
     kept.push_back(std::move(moment));
@@ -65,7 +68,12 @@ void DirectedSearch::Keep(Kept why) {
 
 void DirectedSearch::GoBack() {
   const uint64_t which = random_.Next() % 8;
-  const Moments& kept = which < 3 && !differing_.empty() ? differing_ : which < 6 && !new_.empty() ? new_ : between_;
+  const bool is_on_the_way = which >= 5 && which < 7 && !on_the_way_.empty();
+  const Moments& kept = is_on_the_way                      ? on_the_way_
+                        : which < 3 && !differing_.empty() ? differing_
+                        : which < 6 && !new_.empty()       ? new_
+                                                           : between_;
+  waits_next_ = is_on_the_way && random_.OneIn(3);
   // The last ones are the news.
   const size_t count = random_.OneIn(2) ? kept.size() : std::min<size_t>(kept.size(), 8);
   GoTo(*kept[kept.size() - 1 - random_.Next() % count]);
@@ -115,6 +123,16 @@ uint64_t DirectedSearch::Signature() const {
   return hash;
 }
 
+bool DirectedSearch::HasFirstValue() {
+  bool has = false;
+  for (auto& [cell, seen] : seen_behind_) {
+    const uint64_t bit = uint64_t{1} << std::min(63, static_cast<int>(std::bit_width(old_machine_.Seen(cell))));
+    has = has || (seen & bit) == 0;
+    seen |= bit;
+  }
+  return has;
+}
+
 bool DirectedSearch::Step(const Stimulus& stimulus, RandomRuns& result) {
   const uint32_t period_ms = period_ms_;
   const auto apply = [&](const Stimulus& piece) {
@@ -148,7 +166,12 @@ bool DirectedSearch::Step(const Stimulus& stimulus, RandomRuns& result) {
     piece.words.clear();
     piece.power_cycle = false;
   }
-  if (signatures_.size() < kMostSignatures && signatures_.insert(Signature()).second) Keep(Kept::kNew);
+  const bool has_first = HasFirstValue();
+  if (signatures_.size() < kMostSignatures && signatures_.insert(Signature()).second) {
+    Keep(Kept::kNew);
+  } else if (has_first) {
+    Keep(Kept::kOnTheWay);
+  }
   return true;
 }
 
@@ -195,6 +218,10 @@ void DirectedSearch::DisturbMany(Stimulus& stimulus) {
 
 Stimulus DirectedSearch::Unexpected() {
   Stimulus stimulus;
+  if (std::exchange(waits_next_, false)) {
+    stimulus.ms = waits_ms_[random_.Next() % waits_ms_.size()];
+    return stimulus;
+  }
   const bool follows = scenario_ < known_.size() && next_step_ < known_[scenario_].size();
   if (follows && random_.OneIn(3)) {
     stimulus = known_[scenario_][next_step_++];
@@ -280,7 +307,7 @@ DirectedSearch::Moment* DirectedSearch::NextToAsk(bool is_many) {
     const auto last = std::find_if(differing_.rbegin(), differing_.rend(), [](const auto& m) { return !m->is_asked; });
     if (last != differing_.rend()) return last->get();
   }
-  for (const Moments* const kept : {&new_, &between_, &differing_}) {
+  for (const Moments* const kept : {&new_, &between_, &differing_, &on_the_way_}) {
     const auto found = std::ranges::find_if(*kept, [](const auto& m) { return !m->is_asked; });
     if (found != kept->end()) return found->get();
   }
@@ -361,7 +388,7 @@ void DirectedSearch::RunWideFromMoments(const std::vector<CellId>& sought, Time 
   // What differs already, and the news: what was kept last is the farthest.
   Moments moments;
   const auto take = [&](bool is_again) {
-    for (const Moments* const kept : {&differing_, &new_, &between_}) {
+    for (const Moments* const kept : {&differing_, &new_, &between_, &on_the_way_}) {
       std::copy_if(kept->rbegin(), kept->rend(), std::back_inserter(moments),
                    [&](const auto& moment) { return is_again || !moment->is_spread; });
     }

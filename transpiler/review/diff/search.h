@@ -3,14 +3,16 @@
 // Both versions run beside each other in the simulator. First come the scenarios that stand beside the old version, as
 // they are. Then it goes back again and again to a moment that was seen, and does something unexpected there. Moments
 // that are gone back to: those at which something differs already, for more follows from it; those at which what the
-// changed statements read was not seen like this before; those between two steps of a scenario. Of each such moment a
-// solver is asked what has to be set there so that a difference is seen within a few periods: that hits what has to be
-// set in one scan. In: two versions. Out: a run for each cell that was seen to differ. Not its job: making a run short,
-// proofs.
+// changed statements read was not seen like this before; those at which something that this is computed from has a
+// value for the first time, as the step of a sequence that leads there; those between two steps of a scenario. Of each
+// such a solver is asked what has to be set there so that a difference is seen within a few periods: that hits what has
+// to be set in one scan. In: two versions. Out: a run for each cell that was seen to differ. Not its job: making a run
+// short, proofs.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -68,7 +70,7 @@ class DirectedSearch {
   };
   using Moments = std::vector<std::shared_ptr<Moment>>;
   /// Why a moment is kept.
-  enum class Kept : uint8_t { kDiffers, kNew, kBetweenSteps };
+  enum class Kept : uint8_t { kDiffers, kNew, kOnTheWay, kBetweenSteps };
 
   /// The scenarios beside the old version; what has another name in the new version is set by its cells.
   void ReadScenarios();
@@ -89,6 +91,8 @@ class DirectedSearch {
   void Compare(RandomRuns& result);
   /// A number for what the changed statements read.
   uint64_t Signature() const;
+  /// Whether something behind the changed statements has a value for the first time, or one of another magnitude.
+  bool HasFirstValue();
   Stimulus Unexpected();
   /// A part of all inputs gets other values.
   void DisturbMany(Stimulus& stimulus);
@@ -114,12 +118,15 @@ class DirectedSearch {
   std::vector<prove::diff::SetCell> requests_;  // that the control clears
   std::vector<bool> is_settable_;  // by old cell: a scenario may; what one version alone has is nobody else's
   std::vector<execute::CellId> read_by_changed_;
+  /// What that is computed from, and so on, without what anybody may set; by old cell which magnitudes were seen.
+  std::map<execute::CellId, uint64_t> seen_behind_;
   std::vector<uint64_t> constants_;
   std::vector<uint32_t> waits_ms_;
   std::vector<Stimuli> known_;
   std::set<uint64_t> signatures_;
-  Moments differing_, new_, between_;
-  Stimuli stimuli_;  // from power-on until now
+  Moments differing_, new_, on_the_way_, between_;
+  bool waits_next_ = false;  // what was begun is given time
+  Stimuli stimuli_;          // from power-on until now
   uint64_t periods_ = 0;
   size_t scenario_ = 0, next_step_ = 0;
   size_t most_moments_ = 0;

@@ -18,7 +18,7 @@ using prove::diff::SetCell;
 using prove::machine::Version;
 
 constexpr size_t kMomentBytes = size_t{192} << 20, kMostMoments = 300, kLeastMoments = 6;
-constexpr size_t kMostReadByChanged = 256;
+constexpr size_t kMostReadByChanged = 256, kMostBehind = 1000;
 constexpr int kNearDepth = 2, kBehindDepth = 6;
 constexpr uint32_t kMostPassPeriods = 100;  // of a whole slow pass
 
@@ -241,6 +241,10 @@ void DirectedSearch::FindInputs() {
     if (depth <= kNearDepth || near_.empty()) near_ = read_inputs();
     old_read.GoBack();
     new_read.GoBack();
+    for (uint32_t i = 0; i < old_version_.cells.calls && seen_behind_.size() < kMostBehind; ++i) {
+      if (match_.new_of_old[i].valid() && !taken.contains(CellId(i)) && is_read(CellId(i)))
+        seen_behind_.emplace(CellId(i), 0);
+    }
   }
   behind_ = read_inputs();
 }
