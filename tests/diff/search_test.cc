@@ -312,16 +312,15 @@ TEST(Search, TheTimeIsUsedWhileSomethingIsOpenAndNotMuchMore) {
            value + "; }\nvoid plc2() { }\n";
   };
   const auto begin = std::chrono::steady_clock::now();
-  const Diff diff = ComparedTexts({"hnc", ".cld"}, program("(a * b) * (a + b)"), program("a * a * b + b * b * a"),
+  const Diff diff = ComparedTexts({"hnc", ".cld"}, program("a * b"), program("(a & b) * (a | b) + (a & ~b) * (~a & b)"),
                                   {.same = {}, .time_ms = 2000, .scenario_directory = {}, .progress = {}});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const DiffItem* const product = ItemNamed(diff, "o");
-  if (product == nullptr) GTEST_SKIP() << "it was proved";
+  ASSERT_NE(product, nullptr) << "it was proved";
   EXPECT_EQ(product->verdict, ItemVerdict::kUndecided);
   EXPECT_GT(seconds, 1.5);
 }
 
-// The search from a moment of a scenario met an input that only the old version has: it has no cell in the new one.
 /// A sequence that has to be begun with seven signals, and then to stand still for eight seconds.
 const std::string kStuckTurret = R"($
 P0 = I0A1
@@ -355,6 +354,7 @@ TEST(Search, WhatLeadsToAChangeIsGoneBackTo) {
   EXPECT_TRUE(message->counterexample.has_value());
 }
 
+// The search from a moment of a scenario met an input that only the old version has: it has no cell in the new one.
 TEST(Search, GoesOnWithAnInputThatOnlyOneVersionHas) {
   const std::string program =
       "#include \"plc.h\"\nint g, d;\nvoid init(void) { }\n"
