@@ -80,5 +80,19 @@ END_SLOW
   EXPECT_TRUE(word->counterexample.has_value());
 }
 
+TEST(MovedMemory, AnEdgeByHandIsPairedWithTheFlagThatIsLookedAtLater) {
+  // The first flag holds the same as the last one after each pass, and is written anew before it is read.
+  const std::string counts = "  W4T0 = [W4T0+1]\nENDF\n";
+  const std::string one_shot = "$\nP33 = I4K18*[W3K0=30H]\nDOF: P33\n" + counts,
+                    by_hand =
+                        "$\nU110K0 = I4K18*[W3K0=30H]\nU110K1 = U110K0*/U110K2\nU110K2 = U110K0\n"
+                        "DOF: U110K1\n" +
+                        counts;
+  EXPECT_EQ(NamesIn(ComparedTexts(kNc110, one_shot, by_hand, {.time_ms = 20'000})), "");
+  const std::string late =
+      With("$\nU110K0 = I4K18*[W3K0=30H]\nU110K2 = U110K0\n@DOF: U110K1\n" + counts, "U110K1 = U110K0*/U110K2\n");
+  EXPECT_NE(NamesIn(ComparedTexts(kNc110, one_shot, late, {.time_ms = 20'000})), "");
+}
+
 }  // namespace
 }  // namespace plcxx::review::diff

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -32,6 +33,7 @@ struct OwnCell {
   uint8_t bit = 0, width = 1;
   uint64_t kind = 0;                // the class so far: cells of two classes are not the same
   std::vector<terms::TermId> next;  // by part
+  bool is_needed = false;           // something is computed from what it was before
 };
 
 class OwnCells {
@@ -47,6 +49,8 @@ class OwnCells {
   }
   /// false: not in time.
   bool AddParts();
+  /// By the part that was executed last, the period.
+  void FindNeeded();
   void Refine();
   std::vector<std::pair<execute::CellId, execute::CellId>> Pairs() const;
 
@@ -95,7 +99,30 @@ bool OwnCells::AddParts() {
     }
   }
   cone_ = terms::ConeOf(terms_, roots);
-  return cone_.size() <= kMostTerms;
+  if (cone_.size() > kMostTerms) return false;
+  FindNeeded();
+  return true;
+}
+
+void OwnCells::FindNeeded() {
+  std::vector<terms::TermId> computed;
+  for (const OwnCell& own : own_) {
+    const terms::TermId before = comparison_.pairing.Initial(own.which, own.cell);
+    std::ranges::copy_if(own.next, std::back_inserter(computed),
+                         [before](terms::TermId next) { return next != before; });
+  }
+  for (const PairResult& result : comparison_.results) {
+    for (const terms::TermId next : {comparison_.NextOld(result.old_cell), comparison_.NextNew(result.new_cell)}) {
+      if (next != comparison_.pairing.Initial(Which::kOld, result.old_cell)) computed.push_back(next);
+    }
+  }
+  const std::vector<terms::TermId> cone = terms::ConeOf(terms_, computed);
+  for (OwnCell& own : own_) {
+    const terms::TermId before = comparison_.pairing.Initial(own.which, own.cell);
+    const terms::Term& term = terms_[before];
+    const terms::TermId whole = term.kind == terms::TermKind::kExtract ? terms::TermId(term.a) : before;
+    own.is_needed = std::ranges::binary_search(cone, before) || std::ranges::binary_search(cone, whole);
+  }
 }
 
 std::vector<uint64_t> OwnCells::Sample(uint64_t sample) const {
@@ -133,7 +160,13 @@ void OwnCells::Refine() {
 
 std::vector<std::pair<execute::CellId, execute::CellId>> OwnCells::Pairs() const {
   std::map<uint64_t, std::array<std::vector<execute::CellId>, 2>> classes;
-  for (const OwnCell& own : own_) classes[own.kind][own.which == Which::kOld ? 0 : 1].push_back(own.cell);
+  // Of some that hold the same those count whose last value is looked at: a flag that is written anew before it is read
+  // is nobody's memory.
+  for (const bool is_needed : {true, false}) {
+    for (const OwnCell& own : own_) {
+      if (own.is_needed == is_needed) classes[own.kind][own.which == Which::kOld ? 0 : 1].push_back(own.cell);
+    }
+  }
   std::vector<std::pair<execute::CellId, execute::CellId>> pairs;
   for (const auto& [kind, cells] : classes) {
     for (size_t i = 0; i < std::min(cells[0].size(), cells[1].size()); ++i)
