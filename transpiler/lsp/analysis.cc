@@ -70,6 +70,7 @@ Analysis::Analysis(const compilation::CompilationRequest& request, const project
     : unsaved_(UnsavedOf(request, documents)),
       compilation_(CompileWith(request, baseline, unsaved_, kept)),
       units_(units),
+      kept_(kept),
       lines_(compilation_.sources->size()) {
   for (uint32_t i = 0; i < sources().size(); ++i) {
     identities_.push_back(source::FileIdentity(sources().Get(source::FileId(i)).path));

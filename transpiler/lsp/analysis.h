@@ -40,6 +40,8 @@ class Analysis {
   /// For the dialect's functions that read the sources again; diagnostics of its own are the caller's.
   dialects::Request MakeRequest() { return compilation_.MakeRequest(); }
   const source::UnsavedBytes& unsaved() const { return unsaved_; }
+  /// As given; null: nothing is kept.
+  std::unique_ptr<dialects::Kept>* kept() const { return kept_; }
   /// Made at the first call. `meaning`: see names.h. Only with a dialect.
   const Names& NamesWith(const Analysis& meaning);
 
@@ -55,6 +57,7 @@ class Analysis {
   source::UnsavedBytes unsaved_;
   compilation::Compilation compilation_;
   Units units_;
+  std::unique_ptr<dialects::Kept>* kept_;
   std::unique_ptr<Names> names_;
   std::vector<std::string> identities_;  // by FileId
   mutable std::vector<std::optional<Lines>> lines_;

@@ -75,6 +75,7 @@ void Names::ReadDefinitions() {
   diag::Engine unused;
   dialects::Request request = analysis_.MakeRequest();
   request.diagnostics = &unused;
+  request.kept = analysis_.kept();
   definitions_ = editing_.definitions(request);
   for (Definition& definition : definitions_) {
     definition.name_range = InFirstCopy(definition.name_range);

@@ -192,13 +192,14 @@ void Workspace::PublishWaiting(const Publish& publish) {
 
 void Workspace::Analyse(WorkspaceProgram& program, const Publish& publish) {
   program.changed = false;
+  std::unique_ptr<Analysis> before;  // goes when the messages are out
   {
     const support::FaultGuard guard;
     auto analysis = std::make_unique<Analysis>(program.request, program.baseline, documents_, units_, &program.kept);
     if (program.analysis != nullptr && program.analysis->compilation().ok())
       program.whole = std::move(program.analysis);
-    if (analysis->compilation().ok()) program.whole = nullptr;
-    program.analysis = std::move(analysis);
+    before = std::exchange(program.analysis, std::move(analysis));
+    if (program.analysis->compilation().ok()) before = std::move(program.whole);
   }
   std::set<std::string> files;
   for (const auto& [file, found] : program.diagnostics) files.insert(file);

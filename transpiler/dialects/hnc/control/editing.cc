@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "transpiler/dialects/hnc/machine/machine.h"
 #include "transpiler/dialects/hnc/parser/parser.h"
@@ -126,8 +127,10 @@ class NameCollector {
 };
 
 std::vector<Definition> EditorDefinitions(dialects::Request& request) {
-  const Unit unit = Parse(request);
-  return NameCollector(unit, *request.sources).Run();
+  Unit unit = Parse(request);
+  std::vector<Definition> definitions = NameCollector(unit, *request.sources).Run();
+  Keep(request, std::move(unit));
+  return definitions;
 }
 
 /// "int", "long" of "void set_axis_step(int, long);".

@@ -8,12 +8,11 @@
 
 namespace plcxx::hnc {
 
-/// Calls visit(ExprId) for the expression and everything in it, each one before its parts. `open` is empty before and
-/// afterwards: who visits many gives the same one.
-template <class Visit>
-void ForEachExpr(const Unit& unit, ExprId root, std::vector<ExprId>& open, Visit&& visit) {
-  const auto push = [&open](ExprId id) {
-    if (id.valid()) open.push_back(id);
+/// As ForEachExpr below; parts for which wanted(ExprId) is false are left out with all that is in them.
+template <class Wanted, class Visit>
+void ForEachExprWhere(const Unit& unit, ExprId root, std::vector<ExprId>& open, Wanted&& wanted, Visit&& visit) {
+  const auto push = [&](ExprId id) {
+    if (id.valid() && wanted(id)) open.push_back(id);
   };
   push(root);
   while (!open.empty()) {
@@ -26,6 +25,13 @@ void ForEachExpr(const Unit& unit, ExprId root, std::vector<ExprId>& open, Visit
     push(expr.b);
     push(expr.a);
   }
+}
+
+/// Calls visit(ExprId) for the expression and everything in it, each one before its parts. `open` is empty before and
+/// afterwards: who visits many gives the same one.
+template <class Visit>
+void ForEachExpr(const Unit& unit, ExprId root, std::vector<ExprId>& open, Visit&& visit) {
+  ForEachExprWhere(unit, root, open, [](ExprId) { return true; }, visit);
 }
 
 template <class Visit>
