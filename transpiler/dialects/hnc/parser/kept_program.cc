@@ -98,6 +98,13 @@ bool FindMacroUses(const Unit& unit, const BodiesByPlace& by_place, std::vector<
   return true;
 }
 
+/// What a tree has of large memory, without what was in it: assigned nothing, a vector keeps its memory.
+void MakeSpare(Unit& used, Unit& spare) {
+  const Unit none;
+  spare.expressions = std::move(used.expressions);
+  spare.expressions = none.expressions;
+}
+
 }  // namespace
 
 std::string SettingsOf(const dialects::Request& request) {
@@ -200,7 +207,7 @@ bool Reuse::Fits(const source::SourceManager& sources, const std::vector<const S
 }
 
 std::unique_ptr<KeptProgram> KeepProgram(const dialects::Request& request, const std::vector<const SourceText*>& texts,
-                                         ParserOutput& output, const KeptProgram* before) {
+                                         ParserOutput& output, KeptProgram* before) {
   auto program = std::make_unique<KeptProgram>();
   program->token_count = output.token_count + (before == nullptr ? 0 : before->token_count);
   program->bodies = std::move(output.bodies);
@@ -236,6 +243,7 @@ std::unique_ptr<KeptProgram> KeepProgram(const dialects::Request& request, const
     });
   }
   if (!keeps) return nullptr;
+  if (before != nullptr) MakeSpare(before->unit, program->spare);
   program->settings = SettingsOf(request);
   program->read = output.read;
   return program;

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/dialects/dialect.h"
@@ -35,6 +36,7 @@ class KeptProgram : public dialects::Kept {
   size_t token_count = 0;
   uint32_t taken_over = 0;  // how many of the bodies the run did not read
   Unit unit;
+  Unit spare;                // empty, with the memory of the tree before: it would come from the system at each run
   bool is_complete = false;  // the unit is there: no fault came between
 };
 
@@ -48,6 +50,8 @@ class Reuse {
   Reuse& operator=(const Reuse&) = delete;
 
   const KeptBodies& bodies() const { return kept_; }
+  /// For the tree of this run.
+  Unit TakeSpare() { return std::move(before_.spare); }
   void Misfit() { fits_ = false; }
   bool fits() const { return fits_; }
   /// Without the bodies that are as before; none: the file is another one.
@@ -67,6 +71,6 @@ class Reuse {
 /// What the next run may take over; null: nothing. The tree is still to be added. `before` may be null: the program was
 /// read as a whole.
 std::unique_ptr<KeptProgram> KeepProgram(const dialects::Request& request, const std::vector<const SourceText*>& texts,
-                                         ParserOutput& output, const KeptProgram* before);
+                                         ParserOutput& output, KeptProgram* before);
 
 }  // namespace plcxx::hnc

@@ -61,6 +61,7 @@ class Run {
     if (parse == nullptr || !reuse.fits()) return std::nullopt;
     ParserInput input = InputOf(*parsed.files);
     input.kept = &reuse.bodies();
+    parsed.output.unit = reuse.TakeSpare();
     parse(input, ParseUntil::kTree, parsed.output);
     if (!reuse.Fits(*request_.sources, parsed.files->texts(), parsed.output)) return std::nullopt;
     return parsed;

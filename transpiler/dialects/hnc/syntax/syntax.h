@@ -222,11 +222,13 @@ struct Expr {
   bool is_lvalue = false;
   bool is_implicit = false;    // a conversion that the program does not write
   bool parenthesized = false;  // stands in parentheses of its own, of the program or of a macro
+  bool whole_macro = false;    // it is the complete text of `macro`
   TypeId type;
   TypeId computation;   // kCompoundAssign
   source::Range range;  // with its own parentheses; in a macro: the place of use
   source::Range op;     // the operator's sign, where there is one
   ExprId a, b, c;
+  MacroUseId macro;               // the outermost macro use that wrote a part of it; none: written directly
   std::vector<ExprId> arguments;  // kCall, left to right, converted as 6.1 and 6.4 say
   VariableId variable;
   FunctionId function;
@@ -234,8 +236,6 @@ struct Expr {
   uint32_t string = 0;  // kString: index into Unit::strings
   /// Folded by the rules of 6.2; also of kConvert and operators. None where a division by zero stands in it.
   std::optional<Constant> constant;
-  MacroUseId macro;          // the outermost macro use that wrote a part of it; none: written directly
-  bool whole_macro = false;  // it is the complete text of that use
 };
 
 // --- statements ---------------------------------------------------------------------------------------------

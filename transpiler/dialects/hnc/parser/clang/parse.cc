@@ -174,6 +174,10 @@ void ParseTokens(Session& session) {
   if (session.input.kept != nullptr) {
     expressions += session.input.kept->unit->expressions.size();
     statements += session.input.kept->unit->statements.size();
+    // Not other memory each time that a few more are needed.
+    constexpr size_t kStep = size_t{1} << 14;
+    expressions = (expressions / kStep + 1) * kStep;
+    statements = (statements / kStep + 1) * kStep;
   }
   session.output.unit.expressions.Reserve(expressions);
   session.output.unit.statements.Reserve(statements);
