@@ -253,6 +253,38 @@ void on_m(int channel) { BYTE code = 3; R[100] = code + channel; }
 #endif
 )";
 
+/// What is said once in a program, or declared in one body for others, and what of it is in which function.
+constexpr const char* kShared = R"(#include "plc.h"
+#define CALL(f) f()
+extern int never_defined;
+extern int missing_function(int);
+struct point { int x; };
+struct { int y; } nameless;
+typedef struct { char c; } NAMED;
+NAMED named[2];
+int old(a) char a; { return a; }
+void a1(void) { R[1] = R[2]; }
+void a2(void) { never_defined = 1; R[1] = 3; }
+void a3(void) { never_defined = 2; missing_function(1); }
+void a4(void) { missing_function(2); gone(3); }
+void a5(void) { gone(4); R[2] = 1; }
+void a6(void) { extern int shared; shared = 1; }
+void a7(void) { R[1] = 2; }
+void a8(void) { struct point p; p.x = nameless.y; R[1] = p.x; }
+void a9(void) { static NAMED n = { 3 }; named[1] = n; n.c++; }
+int b1(void) { R[1] = CALL(a1); return old('c'); }
+void b2(void) { const char *s = "s"; R[1] = s[0]; }
+int later() { return 1; }
+void b3(void) { old(1); later(); F_ui; P_ui[2] = 7; }
+void b4(void) { byte q; q = 2; }
+void b5(void) { q = 3; a1(); }
+void b6(void) { float f = 1; unsigned char **pp; enum { E = 3 } e = E; R[1] = e; }
+void init() { plc1_time = 16; plc2_time = 32; a1(); a2(); a3(); a4(); a5(); }
+void plc1() { a6(); a7(); a8(); a9(); b1(); b2(); b3(); b4(); b5(); b6(); }
+void plc2() { }
+)";
+
+Texts SharedTexts() { return {{"main.cld", kShared}}; }
 Texts DenseTexts() { return {{"main.cld", kDense}, {"types.h", kTypes}}; }
 
 /// What a person types, and what makes another program of all that follows.
@@ -408,6 +440,10 @@ uint32_t EditCount(uint32_t usual) {
 TEST(HncKept, DenseProgram) {
   const char* const seed = std::getenv("PLCXX_KEPT_SEED");
   EditAndCompare(DenseTexts(), seed == nullptr ? 1 : static_cast<uint32_t>(std::atoi(seed)), EditCount(300));
+}
+TEST(HncKept, WhatIsSaidOnce) {
+  const char* const seed = std::getenv("PLCXX_KEPT_SEED");
+  EditAndCompare(SharedTexts(), seed == nullptr ? 1 : static_cast<uint32_t>(std::atoi(seed)), EditCount(300));
 }
 TEST(HncKept, Sample) {
   const char* const seed = std::getenv("PLCXX_KEPT_SEED");
