@@ -445,6 +445,36 @@ TEST(HncKept, WhatIsSaidOnce) {
   const char* const seed = std::getenv("PLCXX_KEPT_SEED");
   EditAndCompare(SharedTexts(), seed == nullptr ? 1 : static_cast<uint32_t>(std::atoi(seed)), EditCount(300));
 }
+/// One change in the first function, and what it means for the others.
+TEST(HncKept, WhatOneBodySaysOfOthers) {
+  struct Case {
+    const char *text, *old_part, *new_part;
+  };
+  const Case cases[] = {
+      {"int gone(int);\nvoid a(void) { gone(1); }\nvoid b(void) { gone(2); }\n", "gone(1)", "R[1] = 1"},
+      {"extern int gone;\nvoid a(void) { gone = 1; }\nvoid b(void) { gone = 2; }\n", "gone = 1", "R[1] = 1"},
+      {"void a(void) {\n#define A 1\n}\nvoid b(void) { R[1] = A; }\n", "A 1", "A 2"},
+      {"void a(void) { R[2] = 1; }\nvoid b(void) { R[1] = __LINE__; }\n", "R[2]", "\nR[2]"},
+      {"void a(void) { byte q; }\nvoid b(void) { q = 1; }\n", "byte q", "R[1] = 1"},
+      {"void a(void) { gone(); }\nvoid b(void) { gone(); }\n", "gone()", "R[1] = 1"},
+      {"void a(void) { R[1] = 1; }\nvoid b(void) { extern int more; more = 1; }\nint more;\n", "R[1] = 1",
+       "extern long more"},
+      {"void a(void) { R[1] = 1; }\nvoid b(void) { R[2] = 2; }\n", "R[1] = 1", "R[1] = 1; /* open"},
+      {"void a(void) { R[1] = 1; }\nvoid b(void) { R[2] = 2; }\n", "R[1] = 1", "R[1] = 1; {"},
+      {"int a_name_of_thirty_three_letters_xx1;\nvoid a(void) { R[1] = 1; }\nvoid b(void) { R[2] = 2; }\n", "R[1] = 1",
+       "a_name_of_thirty_three_letters_xx2 = 1"},
+  };
+  for (const Case& each : cases) {
+    std::string text = Program(each.text);
+    EditedProgram program({{"main.cld", text}});
+    EXPECT_EQ(program.Difference(), "") << each.text;
+    text.replace(text.find(each.old_part), std::string(each.old_part).size(), each.new_part);
+    program.Set("main.cld", text);
+    EXPECT_EQ(program.Difference(), "") << text;
+    program.Set("main.cld", Program(each.text));
+    EXPECT_EQ(program.Difference(), "") << each.text;
+  }
+}
 TEST(HncKept, Sample) {
   const char* const seed = std::getenv("PLCXX_KEPT_SEED");
   EditAndCompare(SampleTexts(), seed == nullptr ? 1 : static_cast<uint32_t>(std::atoi(seed)), EditCount(40));
