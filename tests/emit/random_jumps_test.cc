@@ -106,14 +106,15 @@ class JumpWriter {
   std::string out_;
 };
 
-ir::Program RandomJumps(uint32_t seed, uint32_t routines) {
+/// Routines of `statements` and up to eleven more.
+ir::Program RandomJumps(uint32_t seed, uint32_t routines, uint32_t statements = 2) {
   std::mt19937 random(seed);
   std::string text(kJumpMemory), calls;
   uint32_t statement = 1;
   for (uint32_t i = 0; i < routines; ++i) {
     JumpWriter writer(random);
     const std::string name = "R" + std::to_string(i);
-    text += "routine " + name + " subroutine {\n" + writer.Body(2 + i % 12, statement) + "}\n";
+    text += "routine " + name + " subroutine {\n" + writer.Body(statements + i % 12, statement) + "}\n";
     const std::string budget = "%" + std::to_string(i);
     calls += "  " + budget + " = const i32 9\n  store rounds " + budget + "\n  call " + name + " ()\n";
   }
@@ -133,6 +134,14 @@ TEST(EmitRandom, GraphsOfJumps) {
     program.ExpectDebugsAsSimulated(seed);
     if (HasFailure()) return;
   }
+}
+
+// Braces around the locals that a goto jumps over are not nested for ever: deeper inside a local has no value where it is
+// declared.
+TEST(EmitRandom, DeepGraphsOfJumps) {
+  const EmittedProgram program(RandomJumps(7, 1, 400), {"a", "b", "c", "d", "x"}, 7);
+  EXPECT_FALSE(legalize::Legalize(program.program(), {.name = "p"}).loose_locals.empty());
+  program.ExpectRunsAsSimulated();
 }
 
 }  // namespace
