@@ -136,8 +136,8 @@ TEST(EmitRandom, GraphsOfJumps) {
   }
 }
 
-// Braces around the locals that a goto jumps over are not nested for ever: deeper inside a local has no value where it is
-// declared.
+// Braces around the locals that a goto jumps over are not nested for ever: deeper inside a local has no value where it
+// is declared.
 TEST(EmitRandom, DeepGraphsOfJumps) {
   const EmittedProgram program(RandomJumps(7, 1, 400), {"a", "b", "c", "d", "x"}, 7);
   EXPECT_FALSE(legalize::Legalize(program.program(), {.name = "p"}).loose_locals.empty());
