@@ -1,6 +1,7 @@
 #include "transpiler/review/diff/shorten.h"
 
 #include <algorithm>
+#include <span>
 
 #include "transpiler/review/diff/machine.h"
 
@@ -42,6 +43,8 @@ Stimuli Without(const Stimuli& stimuli, size_t begin, size_t end) {
   }
   return rest;
 }
+
+bool IsWait(const Stimulus& stimulus) { return stimulus.ms != 0; }
 
 }  // namespace
 
@@ -87,6 +90,27 @@ void Shortener::DropSteps() {
   }
 }
 
+void Shortener::DropForTime() {
+  constexpr size_t kFewSteps = 16;
+  constexpr uint32_t kMsOfPass = 100;  // as a slow one takes, or more: what is too long is shortened afterwards
+  if (stimuli_.size() > kFewSteps) return;
+  constexpr uint32_t kParts = 4;  // of the time: what is seen now and then only is not seen after all of it, perhaps
+  for (size_t dropped = stimuli_.size() - 1; dropped > 0; --dropped) {
+    const Stimuli shorter = Without(stimuli_, 0, dropped);
+    const auto wait = std::ranges::find_if(shorter, IsWait);
+    if (wait == shorter.end()) continue;
+    uint32_t passed_ms = 0;
+    for (const Stimulus& stimulus : std::span(stimuli_).first(dropped)) {
+      passed_ms += stimulus.ms + kMsOfPass * (stimulus.slow + stimulus.fast);
+    }
+    for (uint32_t part = kParts; part > 0 && !IsOver(); --part) {
+      Stimuli longer = shorter;
+      longer[static_cast<size_t>(wait - shorter.begin())].ms += passed_ms / kParts * part;
+      if (Try(std::move(longer))) return;
+    }
+  }
+}
+
 bool Shortener::StillShows() {
   ++tries_;
   return !IsOver() && shows_(stimuli_, end_);
@@ -115,17 +139,16 @@ void Shortener::DropInputs() {
 }
 
 void Shortener::DropTime() {
-  const auto is_wait = [](const Stimulus& stimulus) { return stimulus.ms != 0; };
-  if (!std::ranges::any_of(stimuli_, is_wait)) return;
+  if (!std::ranges::any_of(stimuli_, IsWait)) return;
   Stimuli at_once = stimuli_;
   for (Stimulus& stimulus : at_once) {
-    if (!is_wait(stimulus)) continue;
+    if (!IsWait(stimulus)) continue;
     stimulus.ms = 0;
     stimulus.slow = 1;
   }
   if (Try(std::move(at_once))) return;
   for (size_t step = 0; step < stimuli_.size(); ++step) {
-    if (!is_wait(stimuli_[step])) continue;
+    if (!IsWait(stimuli_[step])) continue;
     Stimuli shorter = stimuli_;
     shorter[step].ms = 0;
     shorter[step].slow = 1;
@@ -161,6 +184,7 @@ Stimuli Shortener::Shorten(Stimuli stimuli) {
   tries_ = 0;
   KeepLastSteps();
   DropSteps();
+  DropForTime();
   DropInputs();
   DropTime();
   RoundTime();

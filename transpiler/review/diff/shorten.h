@@ -36,6 +36,8 @@ class Shortener {
   /// The last steps alone, with all that was set before them: mostly they are enough, and cost little.
   void KeepLastSteps();
   void DropSteps();
+  /// The first steps where they only let time pass: the first wait behind them takes as long.
+  void DropForTime();
   void DropInputs();
   void DropTime();
   void RoundTime();
