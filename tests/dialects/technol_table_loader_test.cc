@@ -91,6 +91,12 @@ TEST(TechnolTableLoader, NamesAndCapacity) {
   char small[8] = {};
   EXPECT_EQ(WriteTechnologyTable(image.data(), "", 0, small, 4), WriteTable(image, "").size());
   EXPECT_STREQ(small, "$TCH");
+  // What stands in front of the preamble is none of it.
+  const char breaks[] = {'\r', '\n'};
+  std::string behind(100, '\0');
+  behind.resize(WriteTechnologyTable(image.data(), breaks + 1, 1, behind.data(), behind.size()));
+  EXPECT_EQ(behind, WriteTable(image, "\n"));
+  EXPECT_EQ(behind.substr(0, 15), "\n$TCH 1 1 1\n00:");
   // Headers that are no table's; the digits of an item may be any.
   for (uint32_t digit = 0; digit < 16; ++digit) {
     image.fill(static_cast<uint8_t>(0x11 * digit));

@@ -47,14 +47,13 @@ InstId Structurer::Append(RegionId region, Inst inst) {
   return id;
 }
 
-/// Where the block of the label at `at` ends: before the markers that stand directly before the label.
+/// Where the block of the label at `at` ends: before the markers that stand directly before the label. A jump, or what
+/// it is nested in, is in front of them.
 size_t EndOf(const ir::Program& program, const std::vector<InstId>& insts, size_t at) {
-  while (at > 0) {
+  for (;; --at) {
     const OpKind before = program[insts[at - 1]].op;
-    if (before != OpKind::kStatement && before != OpKind::kLabel) break;
-    --at;
+    if (before != OpKind::kStatement && before != OpKind::kLabel) return at;
   }
-  return at;
 }
 
 /// The jumps to one label: the first one's place, their number, and whether the first one stands in the list itself.

@@ -121,16 +121,14 @@ Address Addresses::TableElement(const Expr& load) {
   const Expr& element = ExprAt(load.a);
   const Variable& table = unit_.variables[ExprAt(element.a).variable];
   Address address;
-  const ObjectId object = objects_.OfArea(table.view->area);
-  address.targets.Add(object);
   const Value index = expressions_.Evaluate(element.b);
   const std::optional<int64_t> known = KnownInteger(index);
   if (known && (*known < 0 || *known >= table.view->count)) {
     diagnostics_.Report(element.range, diag::HncIndex, *known, table.name, table.view->count - 1);
-    address.targets = {};
     address.reported = true;
     return address;
   }
+  address.targets.Add(objects_.OfArea(table.view->area));
   pointers_.AddIndex(address, index, 2, 1);
   return address;
 }

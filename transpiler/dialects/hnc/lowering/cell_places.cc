@@ -71,8 +71,8 @@ void CellPlaces::CollectNames() {
 /// None: a bit-field without a name has left a gap there.
 const Member* CellPlaces::MemberAt(const Record& record, uint32_t offset) const {
   const auto found = std::ranges::find_if(record.members, [&](const Member& member) {
-    const bool gap = member.is_bit_field && member.name.empty();
-    return !gap && member.offset <= offset && offset < member.offset + TypeAt(member.type).size;
+    const bool is_gap = member.name.empty();  // only a bit-field has none
+    return !is_gap && member.offset <= offset && offset < member.offset + TypeAt(member.type).size;
   });
   return found == record.members.end() ? nullptr : &*found;
 }
@@ -104,7 +104,7 @@ std::string CellPlaces::NameOf(ObjectId id, uint32_t offset, ir::Type type) cons
     if (part.kind != TypeKind::kRecord) break;
     const Member* const found = MemberAt(unit_.records[part.record], rest);
     if (found == nullptr) break;
-    if (!found->name.empty()) name += "_" + found->name;
+    name += "_" + found->name;
     rest -= found->offset;
     at = found->type;
   }

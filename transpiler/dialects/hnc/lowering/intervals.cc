@@ -132,12 +132,8 @@ void Intervals::Refine(ExprId condition, bool holds) {
     const Expr& expr = ExprAt(id);
     switch (expr.kind) {
       case ExprKind::kAnd:
-        if (!holds || !IsSimple(expr.b)) break;
-        open.push_back(expr.b);
-        open.push_back(expr.a);
-        break;
       case ExprKind::kOr:
-        if (holds || !IsSimple(expr.b)) break;
+        if (holds != (expr.kind == ExprKind::kAnd) || !IsSimple(expr.b)) break;  // either side may be why
         open.push_back(expr.b);
         open.push_back(expr.a);
         break;

@@ -269,7 +269,7 @@ Effects EffectsOf(const Program& program, const Instruction& instruction, uint32
 }
 
 uint32_t WidthBehind(const Program& program, const Instruction& instruction, uint32_t width) {
-  if (instruction.faulty || instruction.op == Op::kUnknown) return width;
+  if (instruction.op == Op::kUnknown) return width;
   const auto operand = [&] { return uint32_t{program.OperandOf(instruction, 0).width}; };
   switch (RowOf(instruction.op).use) {
     case DrUse::kLoadsDr:

@@ -35,7 +35,7 @@ struct Effects {
 
 /// `width`: of DR before the instruction, 16 or 32. A faulty instruction reads nothing and writes everything.
 Effects EffectsOf(const Program& program, const Instruction& instruction, uint32_t width);
-/// The width of DR after the instruction (6.1).
+/// The width of DR after the instruction, which has no fault (6.1).
 uint32_t WidthBehind(const Program& program, const Instruction& instruction, uint32_t width);
 /// W(x) of 6.1: the width in which an operand of this width meets DR.
 constexpr uint32_t OperationWidth(uint32_t width, uint32_t operand) { return width > 16 || operand > 16 ? 32 : 16; }
