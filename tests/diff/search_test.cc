@@ -380,5 +380,25 @@ TEST(Search, GoesOnWithAnInputThatOnlyOneVersionHas) {
   EXPECT_FALSE(diff.items.empty());
 }
 
+/// What differs at power-on is shown without a step.
+TEST(Shortening, ARunWithoutStepsStaysOne) {
+  Shortener shortener([](const Stimuli&, Shortener::Time) { return true; }, Within(60));
+  EXPECT_TRUE(shortener.Shorten({}).empty());
+}
+
+TEST(Shortening, AWaitTakesOverTheTimeOfTheStepsBeforeIt) {
+  const auto shows = [](const Stimuli& stimuli, Shortener::Time) {
+    uint32_t passed_ms = 0;
+    for (const Stimulus& stimulus : stimuli) passed_ms += stimulus.ms + 100 * stimulus.slow;
+    return passed_ms >= 3700;
+  };
+  Shortener shortener(shows, Within(60));
+  const Stimuli shortened = shortener.Shorten({{.inputs = {}, .words = {}, .ms = 150},
+                                               {.inputs = {}, .words = {}, .slow = 3},
+                                               {.inputs = {}, .words = {}, .ms = 3460}});
+  ASSERT_EQ(shortened.size(), 1U);
+  EXPECT_GE(shortened.front().ms, 3700U);
+}
+
 }  // namespace
 }  // namespace plcxx::review::diff

@@ -95,7 +95,7 @@ void Shortener::DropForTime() {
   constexpr uint32_t kMsOfPass = 100;  // as a slow one takes, or more: what is too long is shortened afterwards
   if (stimuli_.size() > kFewSteps) return;
   constexpr uint32_t kParts = 4;  // of the time: what is seen now and then only is not seen after all of it, perhaps
-  for (size_t dropped = stimuli_.size() - 1; dropped > 0; --dropped) {
+  for (size_t dropped = stimuli_.size(); dropped-- > 1;) {
     const Stimuli shorter = Without(stimuli_, 0, dropped);
     const auto wait = std::ranges::find_if(shorter, IsWait);
     if (wait == shorter.end()) continue;

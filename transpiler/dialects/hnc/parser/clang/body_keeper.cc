@@ -128,6 +128,13 @@ bool BodyKeeper::AllInside(const FunctionBody& body) const {
   return true;
 }
 
+template <class Declaration>
+const Declaration* BodyKeeper::Declared(const FileNames::ByName<Declaration>& names, const std::string& name) {
+  const Declaration* found = FindName(names, context_.Idents.get(name));
+  if (found == nullptr) Misfit();
+  return found;
+}
+
 void BodyKeeper::Satisfy(const Need& need) {
   switch (need.kind) {
     case NeedKind::kType:
@@ -143,10 +150,8 @@ void BodyKeeper::Satisfy(const Need& need) {
     case NeedKind::kTypedefRecord: {
       if (known_types_[need.id].valid()) return;
       const FileNames& names = now_.recorder.names;
-      const clang::IdentifierInfo& name = context_.Idents.get(need.text);
-      const clang::RecordDecl* record =
-          FindName(need.kind == NeedKind::kTaggedRecord ? names.tags : names.typedefs, name);
-      if (record == nullptr) return Misfit();
+      const auto* record = Declared(need.kind == NeedKind::kTaggedRecord ? names.tags : names.typedefs, need.text);
+      if (record == nullptr) return;
       known_types_[need.id] = types_.TypeOf(context_.getRecordType(record));
       return;
     }
@@ -190,12 +195,8 @@ FunctionId BodyKeeper::FunctionOf(FunctionId before) {
   if (!before.valid()) return before;
   FunctionId& known = known_functions_[before.index];
   if (known.valid()) return known;
-  const clang::IdentifierInfo& name = context_.Idents.get(Before().functions[before].name);
-  const clang::FunctionDecl* function = FindName(now_.recorder.names.functions, name);
-  if (function == nullptr) {
-    Misfit();
-    return {};
-  }
+  const auto* function = Declared(now_.recorder.names.functions, Before().functions[before].name);
+  if (function == nullptr) return {};
   return known = functions_.FunctionOf(function);
 }
 
@@ -203,12 +204,8 @@ VariableId BodyKeeper::VariableOf(VariableId before) {
   if (!before.valid()) return before;
   VariableId& known = known_variables_[before.index];
   if (known.valid()) return known;
-  const clang::IdentifierInfo& name = context_.Idents.get(Before().variables[before].name);
-  const clang::VarDecl* variable = FindName(now_.recorder.names.variables, name);
-  if (variable == nullptr) {
-    Misfit();
-    return {};
-  }
+  const auto* variable = Declared(now_.recorder.names.variables, Before().variables[before].name);
+  if (variable == nullptr) return {};
   const uint32_t expressions = unit_.expressions.size();
   known = variables_.VariableOf(variable);
   if (unit_.expressions.size() != expressions || unit_.variables[known].storage == Storage::kUndefined) Misfit();

@@ -1,6 +1,7 @@
 // Bodies of functions: converted and recorded, or taken over from the run before (kept_bodies.h).
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "transpiler/dialects/hnc/parser/clang/node_converter.h"
@@ -36,6 +37,9 @@ class BodyKeeper : private NodeConverter {
   bool AllInside(const FunctionBody& body) const;
 
   Unit& Before() const { return *session_.input.kept->unit; }
+  /// What the file level declares with this name; null, and a misfit: nothing, or several.
+  template <class Declaration>
+  const Declaration* Declared(const FileNames::ByName<Declaration>& names, const std::string& name);
   void Misfit() { session_.output.kept_fits = false; }
   TypeId TypeOf(TypeId before);
   FunctionId FunctionOf(FunctionId before);
