@@ -114,6 +114,50 @@ TEST(InitCommand, AFolderOfMachinesIsAPark) {
   EXPECT_THAT(work.Run("test --all --engine sim").out, HasSubstr("2 scenarios passed"));
 }
 
+// Folders are called as people call their machines, and the files in them are called the same in each.
+TEST(InitCommand, EachFolderOfAParkIsAProgramWhateverItIsCalled) {
+  const Workplace work;
+  for (const std::string name : {"Станок 1", "Станок 2", "cell 3", "cell_3"}) {
+    fs::create_directories(work.Path(name));
+    work.Write(name + "/MAIN.PLC", "$\nU4A0=I0A0\n");
+  }
+  const Ran init = work.Run("init --pipeline none");
+  EXPECT_EQ(init.code, 0) << init;
+  const Ran check = work.Run("check --all");
+  EXPECT_THAT(check.errors, AllOf(HasSubstr("Stanok_1_"), HasSubstr("Stanok_2_"), HasSubstr("cell_3: no errors"),
+                                  HasSubstr("cell_3_2: no errors")))
+      << check << work.Read("plcxx.yaml");
+}
+
+// What lies beside a program on an old disk is not a part of it: each of these made the program one with errors.
+TEST(InitCommand, BackupsCopiesAndEmptyFilesAreNoSources) {
+  const Workplace work;
+  work.Write("LOGIC", "$\nU4A0=I0A0\n");
+  work.Write("LOGIC.BAK", "$\nU4A0=I0A1\n");
+  work.Write("b.plc", "U4A1=I0A0\n");
+  work.Write("b.plc~", "U4A1=I0A1\n");
+  work.Write("copy.plc", "U4A1=I0A0\n");
+  work.Write("empty.plc", "");
+  work.Write("only.old", "U4A2=I0A0\n");  // of nothing that is there
+  const Ran init = work.Run("init --dialect nc110");
+  EXPECT_EQ(init.code, 0) << init;
+  EXPECT_THAT(work.Read("plcxx.yaml"), HasSubstr("sources: [LOGIC, b.plc, only.old]")) << init;
+  EXPECT_THAT(init.out, AllOf(HasSubstr("LOGIC.BAK           left out  a backup of LOGIC, by its name"),
+                              HasSubstr("b.plc~              left out  a backup of b.plc, by its name"),
+                              HasSubstr("copy.plc            left out  the same bytes as b.plc"),
+                              HasSubstr("empty.plc           left out  it is empty")));
+}
+
+TEST(InitCommand, FoldersBesideAProgramAreNamed) {
+  const Workplace work;
+  fs::create_directories(work.Path("mill"));
+  work.Write("a.plc", "$\nU4A0=I0A0\n");
+  work.Write("mill/b.plc", "$\nU4A1=I0A0\n");
+  const Ran init = work.Run("init");
+  EXPECT_EQ(init.code, 0) << init;
+  EXPECT_THAT(init.out, HasSubstr("mill/               left out  a folder with sources of its own"));
+}
+
 // A project of the author's ClassicLadder 0.9 reads like one of LinuxCNC and is none: what checks with an error
 // whatever is done about it is not written, and what to do is said at once.
 TEST(InitCommand, AProjectOfAnotherLadderIsNoProgram) {

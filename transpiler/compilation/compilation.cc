@@ -48,10 +48,7 @@ std::string DefaultName(const Compilation& compilation) {
   const std::string& path = compilation.sources->Get(file).path;
   if (path.starts_with('<')) return "program";  // standard input
   const std::string stem = std::filesystem::path(path).stem().string();
-  if (source::IsAscii(stem)) return emit::legalize::SafeIdentifier(stem);
-  // Names in other scripts are written in Latin letters; what tells them apart may get lost in that, so that a few
-  // digits of the name's hash follow.
-  return emit::legalize::SafeIdentifier(source::InLatinLetters(stem) + "_" + HashDigits(stem));
+  return NameFrom(stem);
 }
 
 bool IsOn(const std::map<std::string, std::string>& options, const std::string& key) {
@@ -184,6 +181,13 @@ void Pipeline::Optimize() {
 }
 
 }  // namespace
+
+std::string NameFrom(std::string_view text) {
+  if (source::IsAscii(text)) return emit::legalize::SafeIdentifier(text);
+  // Names in other scripts are written in Latin letters; what tells them apart may get lost in that, so that a few
+  // digits of the name's hash follow.
+  return emit::legalize::SafeIdentifier(source::InLatinLetters(text) + "_" + HashDigits(text));
+}
 
 void OptimizeProgram(Compilation& compilation) {
   passes::Optimize(compilation.program);

@@ -103,4 +103,7 @@ Compilation Compile(const CompilationRequest& request, Stage until = Stage::kOpt
 /// A compilation that stopped at Stage::kChecked without errors goes on to kOptimized.
 void OptimizeProgram(Compilation& compilation);
 
+/// A name for a program, its files and its namespace, made of any text.
+std::string NameFrom(std::string_view text);
+
 }  // namespace plcxx::compilation

@@ -14,6 +14,7 @@
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/support/counted.h"
 #include "transpiler/support/file_names.h"
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::project {
 namespace {
@@ -42,6 +43,21 @@ constexpr TableRow kTables[] = {
 constexpr std::string_view kNoSources[] = {".yaml", ".yml", ".md", ".txt", ".json", ".hpp", ".cpp",      ".html",
                                            ".pdf",  ".zip", ".o",  ".a",   ".d",    ".py",  ".baseline", ".prop"};
 
+std::vector<std::string> FoldersIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end && names.size() < kMaxFiles;
+       at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with('.') && !at->is_symlink(error) && at->is_directory(error)) names.push_back(name);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// What editors and people call the version before.
+constexpr std::string_view kBackups[] = {".bak", ".old", ".orig", ".sav", ".bk", ".$$$"};
+
 std::string UpperCase(std::string text) {
   for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return text;
@@ -64,6 +80,20 @@ std::vector<std::string> FilesIn(const fs::path& folder) {
   return names;
 }
 
+/// The file that a backup is one of, by its name; empty: it is none.
+std::string OriginalOf(const std::string& name) {
+  if (name.ends_with('~')) return name.substr(0, name.size() - 1);
+  const fs::path path = name;
+  const std::string extension = LowerCase(path.extension().string());
+  return std::ranges::find(kBackups, extension) != std::ranges::end(kBackups) ? path.stem().string() : std::string();
+}
+
+bool IsBackupOf(const std::string& name, const std::string& other) {
+  const std::string original = UpperCase(OriginalOf(name));
+  if (original.empty() || !OriginalOf(other).empty()) return false;
+  return original == UpperCase(other) || original == UpperCase(fs::path(other).stem().string());
+}
+
 class Finder {
  public:
   Finder(const fs::path& folder, std::string_view dialect) : folder_(folder), wish_(dialect) {}
@@ -75,6 +105,7 @@ class Finder {
     if (dialect_ == nullptr) return std::nullopt;
     program_.dialect = dialect_->name;
     for (const std::string& name : names_) Sort(name);
+    DropBackups();
     if (program_.sources.empty()) return std::nullopt;
     DropForeign();
     if (program_.sources.empty()) return std::move(program_);
@@ -82,6 +113,12 @@ class Finder {
     ChooseOrder();
     Describe();
     return std::move(program_);
+  }
+
+  /// Whether a file in it reads like a language: nothing is compiled.
+  bool HasSources() const {
+    return std::ranges::any_of(FilesIn(folder_),
+                               [&](const std::string& name) { return DialectOfFile(name) != nullptr; });
   }
 
  private:
@@ -123,6 +160,11 @@ class Finder {
   }
 
   void Sort(const std::string& name) {
+    std::error_code error;
+    if (fs::is_empty(folder_ / name, error)) {
+      program_.files.push_back({name, "left out", "", "it is empty"});
+      return;
+    }
     for (const TableRow& row : kTables) {
       const bool known = row.dialect == dialect_->name && UpperCase(name).starts_with(row.begin) && !HasExtension(name);
       const bool taken = std::ranges::any_of(program_.options, [&](const auto& o) { return o.first == row.option; });
@@ -138,6 +180,22 @@ class Finder {
     } else {
       program_.files.push_back({name, "left out", "", "no source of " + std::string(dialect_->name)});
     }
+  }
+
+  /// The version before lies beside the one that runs, and so do copies: as sources they would define all of it twice.
+  void DropBackups() {
+    const std::vector<std::string> all = program_.sources;
+    std::map<std::string, std::string> kept;  // contents, and whose they are
+    std::erase_if(program_.sources, [&](const std::string& source) {
+      const auto found = std::ranges::find_if(all, [&](const std::string& other) { return IsBackupOf(source, other); });
+      if (found != all.end()) {
+        program_.files.push_back({source, "left out", "", "a backup of " + *found + ", by its name"});
+        return true;
+      }
+      const auto [known, is_new] = kept.emplace(support::ReadFile(folder_ / source).value_or(source), source);
+      if (!is_new) program_.files.push_back({source, "left out", "", "the same bytes as " + known->second});
+      return !is_new;
+    });
   }
 
   compilation::CompilationRequest Request() const {
@@ -247,7 +305,7 @@ class Finder {
       file.reason = HasExtension(file.name) ? "by its extension" : "reads like one";
       sources.push_back(std::move(file));
     }
-    std::set<std::string> loaded;
+    std::set<std::string>& loaded = program_.loaded;
     for (uint32_t i = 0; i < compilation.sources->size(); ++i)
       loaded.insert(
           fs::path(compilation.sources->Get(source::FileId(i)).path).lexically_proximate(folder_).generic_string());
@@ -278,23 +336,28 @@ class Finder {
 
 std::vector<ProposedProgram> ProposePrograms(const std::string& folder, std::string_view dialect) {
   const fs::path top = folder.empty() ? fs::path(".") : fs::path(folder);
-  if (std::optional<ProposedProgram> only = Finder(top, dialect).Find()) return {std::move(*only)};
-  std::vector<std::string> folders;
-  std::error_code error;
-  for (fs::directory_iterator at(top, error), end; !error && at != end && folders.size() < kMaxFiles;
-       at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    if (!name.starts_with('.') && !at->is_symlink(error) && at->is_directory(error)) folders.push_back(name);
+  const std::vector<std::string> folders = FoldersIn(top);
+  if (std::optional<ProposedProgram> only = Finder(top, dialect).Find()) {
+    for (const std::string& name : folders) {
+      const bool is_used =
+          std::ranges::any_of(only->loaded, [&](const std::string& file) { return file.starts_with(name + "/"); });
+      if (is_used || !Finder(top / name, dialect).HasSources()) continue;
+      only->files.push_back(
+          {name + "/", "left out", "", "a folder with sources of its own: plcxx init in it makes another project"});
+    }
+    return {std::move(*only)};
   }
-  std::ranges::sort(folders);
   std::vector<ProposedProgram> programs;
   std::set<std::string> names;
   for (const std::string& name : folders) {
     std::optional<ProposedProgram> program = Finder(top / name, dialect).Find();
     if (!program) continue;
     program->folder = name;
-    if (support::IsFileName(name)) program->name = name;
-    if (names.insert(program->name).second) programs.push_back(std::move(*program));
+    const std::string own = support::IsFileName(name) ? name : compilation::NameFrom(name);
+    program->name = own;
+    for (size_t number = 2; !names.insert(program->name).second; ++number)
+      program->name = own + "_" + std::to_string(number);
+    programs.push_back(std::move(*program));
   }
   return programs;
 }

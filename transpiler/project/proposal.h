@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,7 @@ struct ProposedProgram {
   std::vector<std::string> sources;  // in their order
   std::vector<std::pair<std::string, std::string>> options;
   std::vector<ProposedFile> files;  // all that was found, with what was decided
+  std::set<std::string> loaded;     // what its sources are and include, relative to the folder
   std::string order;                // why the sources are in this order; empty: there is one
   std::string check;                // "no errors, 3 warnings"
   bool ok = false;                  // no errors
