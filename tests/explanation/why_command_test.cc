@@ -15,6 +15,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 constexpr const char* kLamp = R"($
 ; request
@@ -99,6 +100,20 @@ TEST_F(Why, AStateInTheMiddle) {
   EXPECT_THAT(Ask(steps, "U4A8 --step 2").out, HasSubstr("U4A8 is 1 at 20 ms"));
   EXPECT_THAT(Ask(steps, "U4A8 --at 15ms").out, HasSubstr("U4A8 is 1 at 10 ms"));
   EXPECT_THAT(Ask(steps, "U4A8 --step 1").out, HasSubstr("nothing has run yet"));
+}
+
+// A scenario ends at the first step that fails: what is told then is no answer to what was asked, and has to say so.
+TEST_F(Why, AStateThatTheScenarioDoesNotGetTo) {
+  const std::string steps = "- set: {I0A7: 1, I0A3: 1}\n- run: {slow: 3}\n- expect: {U4A8: 0}\n- run: {s: 1}\n";
+  const Ran step = Ask(steps, "U4A8 --step 4");
+  EXPECT_EQ(step.code, 1) << step;
+  EXPECT_THAT(step.out, StartsWith("the scenario fails before step 4 is done; the state in which it ends:\nU4A8 is 1"));
+  const Ran time = Ask(steps, "U4A8 --at 500ms");
+  EXPECT_EQ(time.code, 1) << time;
+  EXPECT_THAT(time.out, StartsWith("the scenario fails before 500ms; the state in which it ends:\nU4A8 is 1 at 20 ms"));
+  EXPECT_THAT(Ask(steps, "U4A8 --at 15ms").out, StartsWith("U4A8 is 1 at 10 ms"));
+  EXPECT_THAT(Ask(steps, "U4A8 --step 2").out, StartsWith("U4A8 is 1 at 20 ms"));
+  EXPECT_THAT(Ask(steps, "U4A8").out, StartsWith("U4A8 is 1 at 20 ms"));
 }
 
 TEST_F(Why, AsJson) {

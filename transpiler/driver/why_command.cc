@@ -130,12 +130,17 @@ int Answer(const WhySettings& settings, const Asked& asked, ProgressLine& progre
       asked.compilation, asked.scenario, std::move(std::get<scenarios::ScenarioPlan>(plan)), question);
   scenarios::ShiftTimes(answer, asked.origin_ms);
   progress.Clear();
+  const bool stopped_early = !answer.failure.empty() && (settings.step || asked.time_ms);
   if (settings.form == "json") {
     std::cout << WhyJson(answer, question, asked.compilation, asked.trace);
   } else {
+    if (stopped_early) {
+      std::cout << "the scenario fails before "
+                << (settings.step ? "step " + std::to_string(*settings.step) + " is done" : settings.at)
+                << "; the state in which it ends:\n";
+    }
     std::cout << diag::EscapedLines(scenarios::WhyText(answer, question, asked.compilation, kMaxLines));
   }
-  const bool stopped_early = !answer.failure.empty() && settings.step.has_value();
   if (!answer.failure.empty()) std::cerr << diag::EscapedLines(answer.failure) << "\n";
   return answer.refusal.empty() && !stopped_early ? kDone : kProgramHasErrors;
 }
@@ -247,10 +252,11 @@ int WhetherItCan(const WhySettings& settings) {
 }
 
 int RunWhy(const WhySettings& settings) {
+  const Result result = settings.form == "json" ? Result::kJson : Result::kUnnamed;
   if (!settings.waveform.empty() && (settings.can || settings.step || !settings.scenario.empty())) {
     return UsageError("--vcd names a state by its trace and --at: leave --scenario, --step and --can out");
   }
-  if (!settings.waveform.empty()) return RunForPrograms(settings, WhyInTrace);
+  if (!settings.waveform.empty()) return RunForPrograms(settings, WhyInTrace, result);
   if (settings.can && (settings.step || !settings.at.empty())) {
     return UsageError("--can asks about all states: leave --step and --at out");
   }
@@ -265,7 +271,7 @@ int RunWhy(const WhySettings& settings) {
     }
     return WhyInScenario(settings);
   }
-  return settings.scenario.empty() ? RunForPrograms(settings, WhetherItCan) : WhetherItCan(settings);
+  return settings.scenario.empty() ? RunForPrograms(settings, WhetherItCan, result) : WhetherItCan(settings);
 }
 
 }  // namespace
