@@ -51,7 +51,7 @@ TEST_F(DiffCommand, RevisionsOfGit) {
   EXPECT_THAT(ran.out, HasSubstr("HEAD -> the work tree: 1 output differs"));
   const Ran wrong = place_.Run("diff --git nowhere.. door.plc");
   EXPECT_EQ(wrong.code, 2);
-  EXPECT_THAT(wrong.errors, HasSubstr("--git: 'nowhere'"));
+  EXPECT_THAT(wrong.errors, HasSubstr("git has no version 'nowhere'"));
 }
 
 /// What a version does depends on the options with which its scenarios run it, whoever names its sources.

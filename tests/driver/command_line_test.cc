@@ -114,6 +114,13 @@ TEST(CommandLine, OutputThatCannotBeWrittenIsNotDone) {
 
 TEST(CommandLine, WordsThatAreNoCommand) {
   const Workplace work;
+  EXPECT_THAT(work.Run("sim x.plc --scenario s.yaml").errors,
+              HasSubstr("was not expected: --scenario; it is an option of: why"));
+  for (const std::string option : {"-o", "--name", "--dialect"}) {
+    const Ran empty = work.Run("emit x.plc " + option + " ''");
+    EXPECT_EQ(empty.code, 2) << empty;
+    EXPECT_THAT(empty.errors, HasSubstr("'" + option + "' is given an empty value")) << empty;
+  }
   EXPECT_THAT(work.Run("emt x.plc").errors, HasSubstr("unknown command 'emt'; did you mean 'emit'?"));
   EXPECT_EQ(work.Run("emt x.plc").code, 2);
   EXPECT_THAT(work.Run("frobnicate").errors, AllOf(HasSubstr("unknown command 'frobnicate'"), Not(HasSubstr("mean"))));

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/driver/run_plcxx.h"
@@ -131,6 +132,73 @@ TEST_F(ProjectCommand, OneOfSeveralPrograms) {
               HasSubstr("s.yaml:1:10: there is no program 'mil' in plcxx.yaml"));
 }
 
+/// Two machines of one language in a folder each.
+class Park : public ::testing::Test {
+ protected:
+  Park() {
+    for (const std::string name : {"saw", "mill"}) {
+      std::filesystem::create_directories(work_.Path(name));
+      work_.Write(name + "/p.plc", "U4A0=I0A0\n$\nU4A1=I0A1\n");
+      work_.Write(name + "/p.prop", "I0A0 implies U4A0\nnever U4A1\n");
+    }
+    work_.Write("plcxx.yaml",
+                "dialect: nc110\nsources: p.plc\nproperties: p.prop\nprograms:\n- {name: saw, folder: saw}\n"
+                "- {name: mill, folder: mill, options: {clo: [20, 2]}}\n");
+  }
+
+  Workplace work_;
+};
+
+// The last program's file stood where the first one's had been, and nothing said so.
+TEST_F(Park, NoProgramOverwritesWhatAnotherHasWritten) {
+  for (const std::string command : {"emit -q --single-file -o x.hpp", "emit -q -o out --name same",
+                                    "report -q -o page.html", "sim --cycles 2 --watch U4A0 --vcd run.vcd"}) {
+    const Ran ran = work_.Run(command + " --all");
+    EXPECT_NE(ran.code, 0) << command << ran;
+    EXPECT_THAT(ran.errors, HasSubstr("it has just been written for program 'saw'")) << command;
+    EXPECT_EQ(work_.Run(command + " --program mill").code, 0) << command;
+  }
+  EXPECT_EQ(work_.Run("emit -q --all -o both").code, 0);
+  EXPECT_TRUE(work_.Has("both/saw.cpp") && work_.Has("both/mill.cpp"));
+}
+
+TEST_F(Park, WhatIsFoundOfEachProgramSaysOfWhich) {
+  const Ran proved = work_.Run("prove --all --junit j.xml --counterexamples found");
+  EXPECT_EQ(proved.code, 1) << proved;
+  EXPECT_THAT(proved.out, AllOf(StartsWith("saw:\nproved "), HasSubstr("\nmill:\nproved ")));
+  EXPECT_THAT(work_.Read("j.xml"), HasSubstr("tests=\"4\" failures=\"2\""));
+  EXPECT_TRUE(work_.Has("found/saw/property-2.yaml") && work_.Has("found/mill/property-2.yaml"));
+  EXPECT_THAT(work_.Run("sim --all --cycles 2 --watch U4A0").out, AllOf(StartsWith("saw:\n"), HasSubstr("mill:\n")));
+  const Ran alone = work_.Run("prove --program saw");
+  EXPECT_THAT(alone.out, StartsWith("proved "));
+  EXPECT_EQ(work_.Run("soak --all --for 1s -o soaked").code, 1);
+  EXPECT_TRUE(work_.Has("soaked/saw/soak.json") && work_.Has("soaked/mill/soak.json"));
+}
+
+TEST_F(Park, JsonIsOneValue) {
+  for (const std::string command :
+       {"prove --format json", "why U4A1 --can --format json", "soak --for 1s --format json"}) {
+    const auto all = nlohmann::json::parse(work_.Run(command + " --all").out, nullptr, false);
+    ASSERT_TRUE(all.is_array() && all.size() == 2) << command;
+    EXPECT_EQ(all[0]["program"], "saw") << command;
+    EXPECT_EQ(all[1]["program"], "mill") << command;
+    EXPECT_TRUE(nlohmann::json::parse(work_.Run(command + " --program mill").out, nullptr, false).is_object());
+  }
+}
+
+// One program without a scenario kept those of all others from being run.
+TEST_F(Park, AProgramWithoutAScenarioIsNoted) {
+  const Ran none = work_.Run("test --all --engine sim");
+  EXPECT_EQ(none.code, 2) << none;
+  EXPECT_THAT(none.errors, HasSubstr("no program of the project has a scenario"));
+  work_.Write("mill/t.yaml", "steps:\n- set: {I0A1: 1}\n- run: {slow: 1}\n- expect: {U4A1: 1}\n");
+  const Ran one = work_.Run("test --all --engine sim");
+  EXPECT_EQ(one.code, 0) << one;
+  EXPECT_THAT(one.out, HasSubstr("1 scenario passed"));
+  EXPECT_THAT(one.errors, HasSubstr("note: saw: there is no scenario (*.yaml) in directory 'saw'"));
+  EXPECT_EQ(work_.Run("test --program saw --engine sim").code, 2);
+}
+
 TEST_F(ProjectCommand, ProvesWhatTheProjectNames) {
   work_.Write("p.prop", "I0A0 implies U4A0\n");
   work_.Write("props.yaml", "properties: [I0A1 implies U4A1]\n");
@@ -164,6 +232,41 @@ TEST_F(ProjectCommand, EachRevisionHasItsOwn) {
   EXPECT_THAT(changed.out, HasSubstr("U4A0  different"));
   const Ran unknown = work_.Run("diff nothing..");
   EXPECT_EQ(unknown.code, 2) << unknown;
+  ASSERT_EQ(git("branch stable"), 0);
+  EXPECT_THAT(work_.Run("diff stabel..").errors, HasSubstr("git has no version 'stabel', did you mean 'stable'"));
+  EXPECT_THAT(work_.Run("diff stable").errors, HasSubstr("'stable..' compares that version in git with the work tree"));
+}
+
+TEST_F(Park, DiffSaysWhichProgramItIsAbout) {
+  const auto git = [&](const std::string& words) {
+    const std::string command =
+        "cd '" + work_.Path(".") + "' && git -c user.name=t -c user.email=t " + words + " >git.log 2>&1";
+    return std::system(command.c_str());
+  };
+  if (git("init -q") != 0) GTEST_SKIP() << "no git";
+  ASSERT_EQ(git("add ."), 0);
+  ASSERT_EQ(git("commit -q -m one"), 0);
+  work_.Write("mill/p.plc", "U4A0=I0A0\n$\nU4A1=I0A1*I0A2\n");
+  const Ran text = work_.Run("diff --all --counterexamples found");
+  EXPECT_EQ(text.code, 1) << text;
+  EXPECT_THAT(text.out, AllOf(StartsWith("saw: HEAD -> the work tree: no difference"),
+                              HasSubstr("\nmill: HEAD -> the work tree: 1 output differs")));
+  EXPECT_TRUE(work_.Has("found/mill/U4A1.yaml"));
+  EXPECT_THAT(work_.Run("diff --all --format markdown").out,
+              AllOf(StartsWith("### saw: what changed"), HasSubstr("### mill: what changed")));
+  const auto all = nlohmann::json::parse(work_.Run("diff --all --format json").out, nullptr, false);
+  ASSERT_TRUE(all.is_array() && all.size() == 2);
+  EXPECT_EQ(all[1]["program"], "mill");
+  const auto sarif = nlohmann::json::parse(work_.Run("diff --all --format sarif").out, nullptr, false);
+  ASSERT_TRUE(sarif.is_object() && sarif["runs"].size() == 2);
+  EXPECT_EQ(sarif["runs"][1]["automationDetails"]["id"], "mill/");
+  EXPECT_THAT(work_.Run("diff --all --format html").errors, HasSubstr("is a page about one program"));
+  // A program that had another name: the copy of the revision is nobody's file.
+  work_.Write("plcxx.yaml",
+              "dialect: nc110\nsources: p.plc\nprograms:\n- {name: saw, folder: saw}\n"
+              "- {name: press, folder: mill}\n");
+  EXPECT_THAT(work_.Run("diff --program press").errors,
+              HasSubstr("there is no program 'press' in plcxx.yaml of 'HEAD'; there are: saw, mill"));
 }
 
 TEST_F(ProjectCommand, AStrangersFileReadsNothingOutside) {

@@ -15,6 +15,14 @@ bool IsCommand(const CLI::App& app, const std::string& word) {
   return std::ranges::any_of(commands, [&](const CLI::App* command) { return command->get_name() == word; });
 }
 
+std::vector<std::string> LongNames(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string OptionsInFront(const CLI::App& app, const std::vector<std::string>& words) {
@@ -51,18 +59,33 @@ std::string TakeHelpWord(const CLI::App& app, std::vector<std::string>& words) {
   return "unknown command '" + word + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
-std::string DidYouMeanOption(const CLI::App& command, const std::vector<std::string>& words) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
+std::string DidYouMeanOption(const CLI::App& app, const CLI::App& command, const std::vector<std::string>& words) {
+  const std::vector<std::string> names = LongNames(command);
   const std::vector<std::string_view> views(names.begin(), names.end());
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('='));
     if (!name.starts_with("--") || name.size() > kLongestWord || std::ranges::find(names, name) != names.end())
       continue;
     const std::string_view near = support::NearestWord(name, views);
-    return near.empty() ? std::string() : ", did you mean '" + std::string(near) + "'";
+    if (!near.empty()) return ", did you mean '" + std::string(near) + "'";
+    std::string others;
+    for (const CLI::App* other : app.get_subcommands([](const CLI::App*) { return true; })) {
+      const std::vector<std::string> own = LongNames(*other);
+      if (std::ranges::find(own, name) != own.end()) others += (others.empty() ? "" : ", ") + other->get_name();
+    }
+    return others.empty() ? std::string() : "; it is an option of: " + others;
+  }
+  return {};
+}
+
+std::string OptionWithoutValue(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* option : command->get_options()) {
+      const std::vector<std::string>& values = option->results();
+      const bool is_text = option->get_type_name() == "TEXT";  // words that are looked for: none are any
+      if (option->get_positional() || is_text || std::ranges::find(values, std::string()) == values.end()) continue;
+      return option->get_name();
+    }
   }
   return {};
 }

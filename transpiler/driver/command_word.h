@@ -14,7 +14,12 @@ std::string OptionsInFront(const CLI::App& app, const std::vector<std::string>& 
 /// "help" and "help COMMAND" become --help. Gives what is wrong with the first word; empty: nothing.
 std::string TakeHelpWord(const CLI::App& app, std::vector<std::string>& words);
 
-/// ", did you mean '--dialect'" for the first of the words that is no option of the command; empty where none is near.
-std::string DidYouMeanOption(const CLI::App& command, const std::vector<std::string>& words);
+/// ", did you mean '--dialect'" for the first of the words that is no option of the command, or which commands have it;
+/// empty where none is near and none has it.
+std::string DidYouMeanOption(const CLI::App& app, const CLI::App& command, const std::vector<std::string>& words);
+
+/// The first option of the chosen command whose value is an empty text, as an empty variable of a shell leaves it: what
+/// it asks for would be left undone, and nothing would say so. Empty: there is none.
+std::string OptionWithoutValue(const CLI::App& app);
 
 }  // namespace plcxx::driver

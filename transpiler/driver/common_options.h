@@ -30,6 +30,7 @@ struct CommonOptions {
   std::vector<std::string> program_names;
   std::string baseline;  // --baseline: instead of the program's
   bool all = false;
+  bool is_one_of_several = false;           // the command runs for several programs, one after the other
   std::optional<project::Program> program;  // of the project, where no sources are named: what it says is meant first
 };
 

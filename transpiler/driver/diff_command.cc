@@ -165,16 +165,25 @@ int RunDiff(const DiffSettings& settings) {
     PrintUsageError("cannot compare: " + diff.refusal);
     return not_compared;
   }
+  if (settings.format == "html" && settings.common.is_one_of_several) {
+    return UsageError("--format html is a page about one program: choose it with --program NAME");
+  }
   if (settings.format == "html") {
     std::cout << DiffPage(diff, old_side, new_side);
   } else {
-    std::cout << Rendered(diff, {requests.old_side.label, requests.new_side.label}, settings.format);
+    const std::string program = settings.common.is_one_of_several ? settings.words.program : "";
+    std::cout << Rendered(diff, {requests.old_side.label, requests.new_side.label, program}, settings.format);
   }
   if (!settings.scenarios.empty()) {
     if (const int written = WriteScenarios(diff, settings.scenarios); written != kDone) return written;
   }
   if (settings.words.external) return kDone;
   return diff.items.empty() ? kDone : kProgramHasErrors;
+}
+
+Result ResultOf(const DiffSettings& settings) {
+  if (settings.format == "json") return Result::kJson;
+  return settings.format == "sarif" ? Result::kSarif : Result::kNamed;
 }
 
 /// Two revisions of a project are compared program by program, as the work tree names them.
@@ -193,12 +202,17 @@ int RunDiffOf(const DiffSettings& asked) {
     return RunDiff(settings);
   }
   if (words.revisions.empty()) words.revisions = "HEAD..";
-  return ForEachProgram(settings.common, [&](const CommonOptions& common) {
-    DiffSettings own = settings;
-    own.words.project = std::filesystem::proximate(common.project, error).generic_string();  // also in a revision
-    own.words.program = project::NameOf(*common.program);
-    return RunDiff(own);
-  });
+  return ForEachProgram(
+      settings.common,
+      [&](const CommonOptions& common) {
+        DiffSettings own = settings;
+        own.common.is_one_of_several = common.is_one_of_several;
+        own.scenarios = FolderOf(common, settings.scenarios);
+        own.words.project = std::filesystem::proximate(common.project, error).generic_string();  // also in a revision
+        own.words.program = project::NameOf(*common.program);
+        return RunDiff(own);
+      },
+      ResultOf(settings));
 }
 
 }  // namespace

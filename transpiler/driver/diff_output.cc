@@ -196,7 +196,8 @@ std::string ChangesAsPatch(const review::diff::Diff& diff) {
 }
 
 std::string DiffText(const review::diff::Diff& diff, const DiffNames& names, diag::Colour colour) {
-  std::string text = names.old_label + " -> " + names.new_label + ": " + DiffSummary(diff) + "\n";
+  std::string text = (names.program.empty() ? "" : names.program + ": ") + names.old_label + " -> " + names.new_label +
+                     ": " + DiffSummary(diff) + "\n";
   const std::vector<review::diff::DiffGroup> groups = review::diff::GroupsOf(diff);
   if (TellsChanges(diff, groups)) {
     text += "\nChanged\n";
@@ -224,7 +225,8 @@ std::string DiffText(const review::diff::Diff& diff, const DiffNames& names, dia
 }
 
 std::string DiffMarkdown(const review::diff::Diff& diff, const DiffNames& names) {
-  std::string text = "### What changed from " + EscapedMarkdown(names.old_label) + " to " +
+  const std::string heading = names.program.empty() ? "What" : EscapedMarkdown(names.program) + ": what";
+  std::string text = "### " + heading + " changed from " + EscapedMarkdown(names.old_label) + " to " +
                      EscapedMarkdown(names.new_label) + "\n\n" + DiffSummary(diff) + ".\n";
   const std::vector<review::diff::DiffGroup> groups = review::diff::GroupsOf(diff);
   const auto statements = [](const std::vector<review::diff::ItemStatement>& old_statements,

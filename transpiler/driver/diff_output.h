@@ -12,6 +12,7 @@ namespace plcxx::driver {
 
 struct DiffNames {
   std::string old_label, new_label;
+  std::string program = {};  // of several; empty: there is one
 };
 
 std::string DiffText(const review::diff::Diff& diff, const DiffNames& names, diag::Colour colour);

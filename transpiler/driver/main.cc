@@ -97,10 +97,14 @@ int Main(int argc, char** argv) {
       return Written(kDone);
     }
     const std::vector<CLI::App*> chosen = app.get_subcommands();
-    PrintUsageError(error.what() + (chosen.empty() ? std::string() : DidYouMeanOption(*chosen.front(), words_given)));
+    PrintUsageError(error.what() +
+                    (chosen.empty() ? std::string() : DidYouMeanOption(app, *chosen.front(), words_given)));
     std::cerr << "plcxx " << (chosen.empty() ? "" : chosen.front()->get_name() + " ")
               << "--help tells how it is used\n";
     return kWrongUse;
+  }
+  if (const std::string option = OptionWithoutValue(app); !option.empty()) {
+    return UsageError("'" + option + "' is given an empty value: write one behind it, or leave it out");
   }
   return Written(run());
 }

@@ -13,8 +13,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "transpiler/driver/terminal.h"
 #include "transpiler/support/file_names.h"
@@ -23,6 +25,21 @@ namespace plcxx::driver {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of one run: whose files have been written.
+struct Written {
+  std::string program;                    // that is being written; empty: there is only one
+  std::map<std::string, std::string> of;  // by whole paths: the program
+};
+Written& Outputs() {
+  static Written written;
+  return written;
+}
+
+std::string WholePath(const std::string& path) {
+  std::error_code error;
+  return fs::weakly_canonical(path, error).string();
+}
 
 std::string SystemWords(int error) {
   std::string words = std::strerror(error);
@@ -90,7 +107,7 @@ class Transaction {
   };
 
   std::optional<WriteFailure> MakeDirectory();
-  std::optional<WriteFailure> CheckTarget(const std::string& path) const;
+  std::optional<WriteFailure> CheckTarget(const emit::OutputFile& file) const;
   std::optional<WriteFailure> WriteTemporary(const emit::OutputFile& file);
   std::optional<WriteFailure> WriteThrough(const emit::OutputFile& file) const;
   std::optional<WriteFailure> Replace(Replacement& replacement);
@@ -138,11 +155,18 @@ std::optional<WriteFailure> Transaction::MakeDirectory() {
   return std::nullopt;
 }
 
-std::optional<WriteFailure> Transaction::CheckTarget(const std::string& path) const {
+std::optional<WriteFailure> Transaction::CheckTarget(const emit::OutputFile& file) const {
+  const std::string& path = file.name;
   std::error_code error;
   if (fs::is_directory(path, error)) return WriteFailure{path, "it is a directory"};
   for (const std::string& read : request_.protected_paths) {
     if (fs::equivalent(path, read, error)) return WriteFailure{path, "it is a source of this program"};
+  }
+  const auto before = Outputs().of.find(WholePath(path));
+  if (before != Outputs().of.end() && before->second != Outputs().program && !HasBytes(path, file.text)) {
+    return WriteFailure{path,
+                        "it has just been written for program '" + before->second +
+                            "'; let each program have a folder or a name of its own, or choose one with --program"};
   }
   return std::nullopt;
 }
@@ -235,7 +259,7 @@ std::optional<WriteFailure> Transaction::Replace(Replacement& replacement) {
 std::optional<WriteFailure> Transaction::Run() {
   if (auto failure = MakeDirectory()) return failure;
   for (const emit::OutputFile& file : request_.files) {
-    if (auto failure = CheckTarget(file.name)) return failure;
+    if (auto failure = CheckTarget(file)) return failure;
   }
   for (const emit::OutputFile& file : request_.files) {
     if (IsSpecial(file.name) || HasBytes(file.name, file.text)) continue;
@@ -251,10 +275,18 @@ std::optional<WriteFailure> Transaction::Run() {
     if (ended_by != 0) return WriteFailure{replacement.path, SystemWords(EINTR)};
   }
   done_ = true;
+  if (!Outputs().program.empty()) {
+    for (const emit::OutputFile& file : request_.files) {
+      if (!IsSpecial(file.name)) Outputs().of.emplace(WholePath(file.name), Outputs().program);
+    }
+  }
   return std::nullopt;
 }
 
 }  // namespace
+
+OutputsOfProgram::OutputsOfProgram(std::string name) { Outputs().program = std::move(name); }
+OutputsOfProgram::~OutputsOfProgram() { Outputs().program.clear(); }
 
 int CannotWrite(const WriteFailure& failure) {
   return UsageError("cannot write '" + failure.path + "': " + failure.reason);

@@ -25,6 +25,16 @@ struct OutputRequest {
   std::vector<std::string> protected_paths;  // files that were read: never overwritten
 };
 
+/// While it lives, WriteAll writes for one of several programs: what another one has written in this run is not
+/// overwritten, unless the bytes are the same.
+class OutputsOfProgram {
+ public:
+  explicit OutputsOfProgram(std::string name);
+  OutputsOfProgram(const OutputsOfProgram&) = delete;
+  OutputsOfProgram& operator=(const OutputsOfProgram&) = delete;
+  ~OutputsOfProgram();
+};
+
 /// After a failure the directory is as it was before.
 std::optional<WriteFailure> WriteAll(const OutputRequest& request);
 

@@ -154,7 +154,7 @@ int RunPrintOf(const PrintSettings& settings) {
   if (PhaseByName(settings.phase) == nullptr) {
     return UsageError("unknown phase '" + settings.phase + "': choose one of " + PhaseNames());
   }
-  return RunForPrograms(settings, RunPrint);
+  return RunForPrograms(settings, RunPrint, Result::kUnnamed);
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ void AddOutputOptions(CLI::App& command, OutputOptions& options) {
     command.add_option(option, value, meaning)->type_name(type)->group("Output");
   };
   add("--name", options.name, "NAME", "Name of the program and its files; else from the first logic source");
-  add("-o", options.directory, "DIR", "Directory of the files, made when missing; else the current one");
+  add("-o", options.directory, "DIR",
+      "Directory of the files, made when missing; else that of plcxx.yaml, or the current one");
   add("--depfile", options.dependency_file, "FILE", "Also write the files read as a rule of Make");
 }
 

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <variant>
 
+#include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/diagnostics_documents.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/output_files.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/support/columns.h"
 #include "transpiler/support/near_words.h"
@@ -53,6 +58,51 @@ std::vector<project::Program> ProgramsHere(const project::Project& project) {
   return found;
 }
 
+/// Keeps what is printed while it lives.
+class GatheredOutput {
+ public:
+  explicit GatheredOutput(bool gathers) : before_(gathers ? std::cout.rdbuf(text_.rdbuf()) : nullptr) {}
+  GatheredOutput(const GatheredOutput&) = delete;
+  GatheredOutput& operator=(const GatheredOutput&) = delete;
+  ~GatheredOutput() {
+    if (before_ != nullptr) std::cout.rdbuf(before_);
+  }
+  std::string text() const { return text_.str(); }
+
+ private:
+  std::ostringstream text_;
+  std::streambuf* before_;
+};
+
+struct ProgramValue {
+  std::string program, text;
+};
+
+/// What reads JSON reads one value: an array, in which each says of which program it is, or one log with a run for
+/// each. A program of which nothing was found out has printed none.
+std::string OneValue(std::vector<ProgramValue> values, Result result) {
+  using Json = nlohmann::ordered_json;
+  std::erase_if(values, [](const ProgramValue& value) { return value.text.empty(); });
+  Json all = Json::array();
+  for (const ProgramValue& value : values) {
+    Json one = Json::parse(value.text);
+    if (result == Result::kSarif) {
+      Json& run = one["runs"][0];
+      run["automationDetails"] = {{"id", value.program + "/"}};  // what is shown of one run does not replace another's
+      if (all.empty()) {
+        all = std::move(one);
+      } else {
+        all["runs"].push_back(std::move(run));
+      }
+    } else {
+      Json named = {{"program", value.program}};
+      named.update(one);
+      all.push_back(std::move(named));
+    }
+  }
+  return diag::JsonForTerminals(all.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
 }  // namespace
 
 std::optional<std::vector<project::Program>> ChoosePrograms(CommonOptions& options) {
@@ -89,7 +139,8 @@ std::optional<std::vector<project::Program>> ChoosePrograms(CommonOptions& optio
   return std::nullopt;
 }
 
-int ForEachProgram(const CommonOptions& options, const std::function<int(const CommonOptions&)>& command) {
+int ForEachProgram(const CommonOptions& options, const std::function<int(const CommonOptions&)>& command,
+                   Result result) {
   if (!options.sources.empty()) {
     if (!NamesProject(options)) return command(options);
     return UsageError("sources and a project are named: leave one of them out");
@@ -99,11 +150,25 @@ int ForEachProgram(const CommonOptions& options, const std::function<int(const C
   if (!programs) return kWrongUse;
   int code = kDone;
   const DiagnosticsDocuments as_one;
+  own.is_one_of_several = programs->size() > 1;
+  const bool as_value = own.is_one_of_several && (result == Result::kJson || result == Result::kSarif);
+  std::vector<ProgramValue> values;
   for (const project::Program& program : *programs) {
     own.program = program;
+    std::optional<OutputsOfProgram> outputs;
+    if (own.is_one_of_several) outputs.emplace(project::NameOf(program));
+    if (own.is_one_of_several && result == Result::kUnnamed) std::cout << project::NameOf(program) << ":\n";
+    const GatheredOutput gathered(as_value);
     code = std::max(code, command(own));
+    if (as_value) values.push_back({project::NameOf(program), gathered.text()});
   }
+  if (as_value) std::cout << OneValue(values, result);
   return code;
+}
+
+std::string FolderOf(const CommonOptions& common, const std::string& folder) {
+  if (folder.empty() || !common.is_one_of_several) return folder;
+  return (std::filesystem::path(folder) / project::NameOf(*common.program)).generic_string();
 }
 
 void NameProject(CommonOptions& common) {

@@ -4,8 +4,10 @@
 // options. Not its job: what the file means (transpiler/project).
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "transpiler/driver/common_options.h"
@@ -20,17 +22,32 @@ std::optional<std::vector<project::Program>> ChoosePrograms(CommonOptions& optio
 /// A folder, or its plcxx.yaml, named where sources are expected, becomes --project.
 void NameProject(CommonOptions& common);
 
+/// What a command prints of each program.
+enum class Result : uint8_t {
+  kNamed,    // it says of which program it is, or is documents of diagnostics
+  kUnnamed,  // text that does not say so
+  kJson,     // one value each: of several programs an array
+  kSarif,    // one log each: of several programs one log
+};
+
 /// Runs it with the sources of the command line, or for each program of the project; gives the greatest exit code.
-int ForEachProgram(const CommonOptions& options, const std::function<int(const CommonOptions&)>& command);
+int ForEachProgram(const CommonOptions& options, const std::function<int(const CommonOptions&)>& command,
+                   Result result = Result::kNamed);
 
 /// The same for the settings of a command, whose member `common` are these options.
 template <class Settings>
-int RunForPrograms(const Settings& settings, int (*run)(const Settings& settings)) {
-  return ForEachProgram(settings.common, [&](const CommonOptions& common) {
-    Settings own = settings;
-    own.common = common;
-    return run(own);
-  });
+int RunForPrograms(const Settings& settings, int (*run)(const Settings& settings), Result result = Result::kNamed) {
+  return ForEachProgram(
+      settings.common,
+      [&](const CommonOptions& common) {
+        Settings own = settings;
+        own.common = common;
+        return run(own);
+      },
+      result);
 }
+
+/// A folder that a command fills: of several programs one below it for each.
+std::string FolderOf(const CommonOptions& common, const std::string& folder);
 
 }  // namespace plcxx::driver

@@ -56,7 +56,7 @@ int ReadProperties(const ChosenProperties& chosen, const CommonOptions& options,
   for (const std::string& path : chosen.files) {
     const std::optional<std::string> text = support::ReadFile(path);
     if (!text) {
-      return UsageError("cannot read '" + path + "'");
+      return UsageError("cannot read '" + path + "': --property names a file of properties, one a line");
     }
     add(scenarios::PropertiesOfFile(path, *text, dialect.name, context, *compilation.sources, compilation.diagnostics));
   }

@@ -1,6 +1,8 @@
 // plcxx prove: properties of the machine, for all inputs and all scans.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,6 +67,12 @@ Examples:
 
 Exit codes: 0 all proved, 1 a property is violated or not decided, or the program has errors, 2 wrong use.)";
 
+/// For --junit: of all programs.
+struct ProveReport {
+  std::vector<scenarios::TestCase> cases;
+  std::vector<std::string> protected_paths;
+};
+
 struct ProveSettings {
   CommonOptions common;
   std::vector<std::string> files;
@@ -72,6 +80,7 @@ struct ProveSettings {
   std::string plant;  // a file, or kPlantOfProject; empty: nothing moves by itself
   uint32_t most_periods = 50;
   bool any_retentive = false;
+  std::shared_ptr<ProveReport> report;
 };
 
 std::optional<uint64_t> Milliseconds(const std::string& text) {
@@ -86,6 +95,18 @@ std::optional<uint64_t> Milliseconds(const std::string& text) {
   if (unit == "s") return number * 1000;
   if (unit == "min") return number * 60'000;
   return std::nullopt;
+}
+
+/// With the folders that they lie in.
+int WriteWithFolders(const OutputRequest& output) {
+  for (const emit::OutputFile& file : output.files) {
+    const std::filesystem::path directory = std::filesystem::path(file.name).parent_path();
+    std::error_code none;  // what is wrong is told when the file is written
+    if (!directory.empty()) std::filesystem::create_directories(directory, none);
+  }
+  if (output.files.empty()) return kDone;
+  const std::optional<WriteFailure> failure = WriteAll(output);
+  return failure ? CannotWrite(*failure) : kDone;
 }
 
 class Prove {
@@ -164,7 +185,7 @@ class Prove {
 
  private:
   review::properties::ScenarioPlace PlaceOfNext() const {
-    return {.directory = settings_.counterexamples,
+    return {.directory = FolderOf(settings_.common, settings_.counterexamples),
             .name = "property-" + std::to_string(proved_.size() + 1) + ".yaml",
             .plant = plant_.get()};
   }
@@ -220,20 +241,14 @@ class Prove {
     for (const scenarios::Scenario& scenario : chosen_.scenarios) output.protected_paths.push_back(scenario.path);
     for (const std::string& path : chosen_.files) output.protected_paths.push_back(path);
     if (plant_) output.protected_paths.push_back(plant_->model().path());
-    if (!settings_.junit.empty()) output.files.push_back({settings_.junit, JunitXml(ProveCases(proved_))});
+    if (settings_.report) {
+      std::ranges::copy(ProveCases(proved_), std::back_inserter(settings_.report->cases));
+      std::ranges::copy(output.protected_paths, std::back_inserter(settings_.report->protected_paths));
+    }
     for (const ProvedProperty& proved : proved_) {
       if (!proved.file.empty()) output.files.push_back({proved.file, proved.scenario.yaml});
     }
-    for (const emit::OutputFile& file : output.files) {
-      const std::filesystem::path directory = std::filesystem::path(file.name).parent_path();
-      std::error_code none;  // what is wrong is told when the file is written
-      if (!directory.empty()) std::filesystem::create_directories(directory, none);
-    }
-    if (!output.files.empty()) {
-      if (const std::optional<WriteFailure> failure = WriteAll(output)) {
-        return CannotWrite(*failure);
-      }
-    }
+    if (const int written = WriteWithFolders(output); written != kDone) return written;
     for (const ProvedProperty& proved : proved_) {
       if (proved.result.verdict != prove::properties::PropertyVerdict::kProved) return kProgramHasErrors;
     }
@@ -254,6 +269,15 @@ class Prove {
 };
 
 int RunProve(const ProveSettings& settings) { return Prove(settings).Run(); }
+
+int RunProveOf(ProveSettings settings) {
+  if (!settings.junit.empty()) settings.report = std::make_shared<ProveReport>();
+  const int code = RunForPrograms(settings, RunProve, settings.form == "json" ? Result::kJson : Result::kUnnamed);
+  if (!settings.report || settings.report->protected_paths.empty()) return code;
+  return std::max(code, WriteWithFolders({.directory = {},
+                                          .files = {{settings.junit, JunitXml(settings.report->cases)}},
+                                          .protected_paths = settings.report->protected_paths}));
+}
 
 }  // namespace
 
@@ -289,7 +313,7 @@ void AddProve(CLI::App& app, Run& run) {
   command->add_option("--junit", settings->junit, "Write the results as JUnit XML, each property a test")
       ->type_name("FILE");
   command->footer(kProveFooter);
-  command->callback([settings, &run] { run = [settings] { return RunForPrograms(*settings, RunProve); }; });
+  command->callback([settings, &run] { run = [settings] { return RunProveOf(*settings); }; });
 }
 
 }  // namespace plcxx::driver

@@ -340,7 +340,13 @@ void AddReport(CLI::App& app, Run& run) {
   command->add_flag("--resources", options->resources, "What the program uses of what the control has");
   command->add_flag("--lists", options->lists, "Further lists of the dialect: handlers, alarms, codes, cells, limits");
   command->footer(kReportFooter);
-  command->callback([options, &run] { run = [options] { return RunForPrograms(*options, RunReport); }; });
+  command->callback([options, &run] {
+    run = [options] {
+      const bool to_output = options->output.directory.empty() || options->output.directory == "-";
+      const bool as_text = (options->wants_table() || options->ladder_text) && to_output;
+      return RunForPrograms(*options, RunReport, as_text ? Result::kUnnamed : Result::kNamed);
+    };
+  });
 }
 
 }  // namespace plcxx::driver

@@ -162,7 +162,8 @@ void AddSim(CLI::App& app, Run& run) {
   add("--vcd", settings->waveform, "FILE", "Write the watched locations as a waveform");
   add("--time-limit", settings->time_limit, "SECONDS", "Of real time, at most (60)")->check(CLI::Range(1u, 86'400u));
   command->footer(kSimFooter);
-  command->callback([settings, &run] { run = [settings] { return RunForPrograms(*settings, RunSim); }; });
+  command->callback(
+      [settings, &run] { run = [settings] { return RunForPrograms(*settings, RunSim, Result::kUnnamed); }; });
 }
 
 }  // namespace plcxx::driver

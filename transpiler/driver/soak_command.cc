@@ -90,7 +90,9 @@ std::optional<Shard> ShardOf(const std::string& text) {
   return Shard{.number = *one, .count = *count};
 }
 
-int RunSoak(const SoakSettings& settings) {
+int RunSoak(const SoakSettings& asked) {
+  SoakSettings settings = asked;
+  settings.directory = FolderOf(asked.common, asked.directory);
   const std::optional<uint64_t> length = LengthMs(settings.length);
   if (!length || *length == 0) {
     return UsageError("'--for " + settings.length + "' is no time: write it as in 100h, 30min or 90s");
@@ -199,7 +201,7 @@ int RunSoakOrMerge(SoakSettings settings) {
     return MergeSoaks(settings.merge, settings.common.sources, settings.form);
   }
   NameProject(settings.common);
-  return RunForPrograms(settings, RunSoak);
+  return RunForPrograms(settings, RunSoak, settings.form == "json" ? Result::kJson : Result::kNamed);
 }
 
 }  // namespace

@@ -5,10 +5,14 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/project/project.h"
 #include "transpiler/scenarios/scenario.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -16,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kGitSeconds = 60;
+constexpr size_t kMostNames = 10'000;  // of branches and tags
 constexpr const char* kNoFile = "/dev/null";
 
 /// The sources of a directory when the user names none: what its scenarios say, else what looks like a source.
@@ -70,8 +75,9 @@ FoundSources FindSources(const std::string& directory) {
   return found;
 }
 
-/// The program that a project file says, with what the command line says before it; gives why not.
-std::optional<std::string> TakeProject(const std::string& path, const DiffWords& words,
+/// The program that a project file says, with what the command line says before it; gives why not. `where` is the file
+/// for the user: that of a revision is a copy.
+std::optional<std::string> TakeProject(const std::string& path, const std::string& where, const DiffWords& words,
                                        compilation::CompilationRequest& request) {
   project::ProjectOrErrors read = project::ReadProject(path, words.reach);
   if (const auto* errors = std::get_if<std::vector<yaml::Error>>(&read)) {
@@ -81,10 +87,15 @@ std::optional<std::string> TakeProject(const std::string& path, const DiffWords&
   }
   const auto& project = std::get<project::Project>(read);
   if (words.program.empty() && project.programs.size() > 1)
-    return path + " has several programs: choose one with --program NAME";
+    return where + " has several programs: choose one with --program NAME";
   const project::Program* program =  // the only one may have got another name since
       project.programs.size() == 1 ? &project.programs.front() : project::FindProgram(project, words.program);
-  if (program == nullptr) return "there is no program '" + words.program + "' in " + path;
+  if (program == nullptr) {
+    std::string names;
+    for (const project::Program& other : project.programs)
+      names += (names.empty() ? "" : ", ") + project::NameOf(other);
+    return "there is no program '" + words.program + "' in " + where + "; there are: " + names;
+  }
   compilation::CompilationRequest own = project::RequestOf(*program);
   if (!request.dialect.empty()) own.dialect = request.dialect;
   if (request.encoding) own.encoding = request.encoding;
@@ -110,7 +121,7 @@ std::optional<std::string> FillRequest(const std::string& path, const DiffWords&
   request.sources = sources;
   if (!sources.empty()) return std::nullopt;
   const fs::path project = fs::path(path) / project::kProjectFile;
-  if (fs::is_regular_file(project, error)) return TakeProject(project.string(), words, request);
+  if (fs::is_regular_file(project, error)) return TakeProject(project.string(), project.string(), words, request);
   FoundSources found = FindSources(path);
   if (!found.reason.empty()) return found.reason;
   request.sources = std::move(found.sources);
@@ -213,12 +224,24 @@ Git FindGit() {
   return git;
 }
 
+std::string NoRevision(const Git& git, const std::string& revision, const std::string& why) {
+  const auto listed = compile::RunProcess({"git", "for-each-ref", "--format=%(refname:short)"}, kGitSeconds, git.top);
+  std::vector<std::string> names;
+  std::istringstream lines(listed.output);
+  for (std::string line; names.size() < kMostNames && std::getline(lines, line);) names.push_back(line);
+  const std::string near(listed.exit_code == 0
+                             ? support::NearestWord(revision, std::vector<std::string_view>(names.begin(), names.end()))
+                             : "");
+  return "git has no version '" + revision + "'" + (near.empty() ? "" : ", did you mean '" + near + "'") + " (" + why +
+         ")";
+}
+
 /// Copies a revision; gives why not.
 std::optional<std::string> CopyRevision(const Git& git, const std::string& revision, const std::string& directory) {
   const std::string archive = directory + "/revision.tar";
   const auto made =
       compile::RunProcess({"git", "archive", "--format=tar", "-o", archive, "--", revision}, kGitSeconds, git.top);
-  if (made.exit_code != 0) return "--git: '" + revision + "': " + FirstLine(made.output);
+  if (made.exit_code != 0) return NoRevision(git, revision, FirstLine(made.output));
   const auto unpacked = compile::RunProcess({"tar", "-xf", archive, "-C", directory}, kGitSeconds);
   std::error_code error;
   fs::remove(archive, error);
@@ -247,7 +270,8 @@ std::variant<DiffRequests, std::string> ResolveRevisions(const DiffWords& words,
     if (!is_old && new_revision.empty()) {
       side.label = "the work tree";  // "A.."
       if (!words.paths.empty()) continue;
-      if (std::optional<std::string> wrong = TakeProject(words.project, words, side.compilation)) return *wrong;
+      if (std::optional<std::string> wrong = TakeProject(words.project, words.project, words, side.compilation))
+        return *wrong;
       continue;
     }
     requests.copies.push_back(std::make_unique<compile::TemporaryDirectory>());
@@ -261,8 +285,11 @@ std::variant<DiffRequests, std::string> ResolveRevisions(const DiffWords& words,
     std::error_code error;
     fs::create_directory(fs::path(copy) / ".git", error);
     const fs::path file = (fs::path(side.compilation.base_directory) / words.project).lexically_normal();
-    if (!fs::exists(file, error)) return "'" + side.label + "' has no " + words.project + ": name the sources";
-    if (std::optional<std::string> wrong = TakeProject(file.string(), words, side.compilation)) return *wrong;
+    if (!fs::exists(file, error))
+      return "'" + side.label + "' has no " + words.project +
+             ": name the sources of the program, as in 'plcxx diff --git " + words.revisions + " FILE...'";
+    const std::string where = words.project + " of '" + side.label + "'";
+    if (std::optional<std::string> wrong = TakeProject(file.string(), where, words, side.compilation)) return *wrong;
   }
   if (!words.paths.empty()) TakeOptionsOfScenarios(requests);
   return requests;
@@ -286,6 +313,11 @@ std::variant<DiffRequests, std::string> ResolveDiff(const DiffWords& words,
       requests.one_sided = names[0] + ": only in the " + (paths[0] == kNoFile ? "new" : "old") + " version";
       return requests;
     }
+  }
+  std::error_code error;
+  if (paths.size() == 1 && !fs::exists(paths[0], error)) {
+    return "'" + paths[0] + "' is no file: two files or directories are compared; '" + paths[0] +
+           "..' compares that version in git with the work tree";
   }
   if (paths.size() != 2)
     return "diff takes an old and a new program: two files, two directories, or --git A..B SOURCE...";
