@@ -214,6 +214,28 @@ def hnc(session):
     session.check_document("tools.h")
 
 
+def comments_of_their_own(plcxx, directory):
+    """What a comment behind a definition says is about this one, and not about the next one: START is not STOP."""
+    path = pathlib.Path(directory) / "press.cld"
+    text = ("#define START (X[0] & 1)  /* start */\n#define STOP (X[0] & 2)\nint a; // first\nint b;\n"
+            "/* about c */\nint c;\nvoid plc1(void) { a = b; Y[0] = c; }\n")
+    client = Client(plcxx)
+    client.open(path, text)
+
+    def hover(line, character):
+        return client.request("textDocument/hover", client.at(path, line, character))["contents"]["value"]
+    has(hover(0, 9), "start")
+    has(hover(2, 4), "first")
+    has(hover(5, 4), "about c")
+    assert "start" not in hover(1, 9), hover(1, 9)
+    assert "first" not in hover(3, 4), hover(3, 4)
+    names = pathlib.Path(directory) / "names.plc"
+    client.open(names, "          DATA\nIN0:      DFM A   ; the key\n          DATA_END\n          STOP\n")
+    value = client.request("textDocument/hover", client.at(names, 1, 14))["contents"]["value"]
+    assert value.count("the key") == 1, value
+    assert client.shut_down() == 0
+
+
 def page_of_a_message(plcxx, directory):
     path = pathlib.Path(directory) / "lamp.plc"
     client = Client(plcxx)
@@ -231,6 +253,7 @@ def main():
     plcxx, root = sys.argv[1:3]
     with tempfile.TemporaryDirectory(prefix="plcxx-test-") as directory:
         page_of_a_message(plcxx, directory)
+        comments_of_their_own(plcxx, directory)
         for check in [nc110, technol, host50, prostep, hnc]:
             session = Session(plcxx, root, check.__name__, directory)
             check(session)

@@ -29,8 +29,12 @@ std::string PlacesText(const FeatureContext& context, const std::vector<source::
   return text.empty() ? "nowhere" : text;
 }
 
+/// A paragraph; what is there already, as a comment that the author wrote and the table of signals repeats, is not said
+/// twice.
 void AddLine(std::string& text, std::string_view line) {
   if (line.empty()) return;
+  const std::string before = "\n\n" + text + "\n\n";
+  if (before.find("\n\n" + std::string(line) + "\n\n") != std::string::npos) return;
   if (!text.empty()) text += "\n\n";
   text += line;
 }

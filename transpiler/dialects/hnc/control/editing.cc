@@ -65,7 +65,8 @@ class NameCollector {
     return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t") + 1 - first);
   }
 
-  /// The comment that begins on the line of a name, or the one that ends on the line above.
+  /// The comment that begins on the line of a name, or the one that ends on the line above and is not about what stands
+  /// in front of it there.
   std::string CommentAt(source::Range name) const {
     const source::Position at = sources_.Locate(name.begin);
     const auto next = std::ranges::lower_bound(unit_.comments, name.end, {},
@@ -75,8 +76,14 @@ class NameCollector {
       if (place.file == at.file && place.line == at.line) return next->text;
     }
     if (next == unit_.comments.begin()) return {};
-    const source::Position end = sources_.Locate(std::prev(next)->range.end);
-    return end.file == at.file && end.line + 1 == at.line ? std::prev(next)->text : std::string();
+    const Comment& above = *std::prev(next);
+    const source::Position end = sources_.Locate(above.range.end);
+    if (end.file != at.file || end.line + 1 != at.line) return {};
+    const source::Position begin = sources_.Locate(above.range.begin);
+    const source::File& file = sources_.Get(at.file);
+    const source::Offset line = file.base + file.line_starts[begin.line - 1];
+    const std::string_view before = sources_.Text({line, above.range.begin});
+    return before.find_first_not_of(" \t") == std::string_view::npos ? above.text : std::string();
   }
 
   void AddRecord(const Record& record) {
