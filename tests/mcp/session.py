@@ -106,6 +106,13 @@ def tools(client, folder):
     assert found["columns"] == ["ms", "I0A3", "U4A8"], found
     assert len(found["rows"]) >= 2, found
 
+    # A byte is shown as bits and as a number: it is one column.
+    found = client.call("simulate", sources=["lamp.plc"], watch=["U4A8", "W4A1", "W0A0"], at=["10ms:W0A0=10"],
+                        changes=False, **{"for": "30ms"})
+    assert found["columns"] == ["ms", "U4A8", "W4A1", "W0A0"], found
+    assert [row["W0A0"] for row in found["rows"]] == ["0", "10", "10"], found
+    assert all(set(row) == {"ms", "U4A8", "W4A1", "W0A0"} for row in found["rows"]), found
+
     assert client.call("test", scenarios=["lamp.yaml"])["passed"]
     (folder / "failing.yaml").write_text(SCENARIO.replace("U4A8: 1", "U4A8: 0"))
     found = client.call("test", scenarios=["failing.yaml"])
@@ -130,6 +137,27 @@ def tools(client, folder):
 |  +--[ U4A8 ]--[ I0A5 ]--+
 """, found
     assert "U4A8" not in client.call("ladder", sources=["lamp.plc"], signal="U9A9")["ladder"]
+    found = client.call("ladder", sources=["lamp.plc"], signal="U4AA8")
+    assert found["exitCode"] == 2 and "did you mean 'U4A8'" in found["messages"], found
+    found = client.call("prove", sources=["lamp.plc"], properties=["never U4AA8"])
+    assert found["messages"].startswith("properties:1:7: error: 'U4AA8' is no location"), found
+
+
+def of_a_project(client, folder):
+    """What plcxx.yaml says needs no argument; a folder's name may have a blank in it."""
+    (folder / "cell 1").mkdir()
+    (folder / "cell 1" / "lamp.plc").write_text((folder / "lamp.plc").read_text())
+    (folder / "cell 1" / "lamp.prop").write_text("U4A8 implies U4A8\n")
+    (folder / "cell 1" / "lit.yaml").write_text("steps:\n- run: {slow: 1}\n- expect: {U4A8: 0}\n")
+    (folder / "plcxx.yaml").write_text("folder: cell 1\ndialect: nc110\nsources: lamp.plc\nproperties: lamp.prop\n")
+    found = client.call("test")
+    assert found["passed"] and "cell 1/lit.yaml" in found["report"], found
+    found = client.call("prove")
+    assert found["proof"]["properties"][0]["verdict"] == "proved", found
+    found = client.call("cross_reference", signal="U4A8")
+    assert found["signals"][0]["written"] == [{"file": "cell 1/lamp.plc", "line": 2}], found
+    assert "git" in client.call("diff")["messages"]
+    (folder / "plcxx.yaml").unlink()
 
 
 def wrong(client, folder, outside):
@@ -180,6 +208,7 @@ def main():
         client.send_line(b'{"jsonrpc":"2.0","method":"notifications/initialized"}')
         assert client.ask("ping")["result"] == {}
         tools(client, folder)
+        of_a_project(client, folder)
         (folder / "link").symlink_to(directory)
         wrong(client, folder, outside)
         client.end()

@@ -39,7 +39,8 @@ Json ProgramSchema(const Json& more, Json required) {
        TextsSchema("the files of one program, in their order, relative to the server's folder; else plcxx.yaml")},
       {"project", TextSchema("a plcxx.yaml that says sources and options; else that of the server's folder")},
       {"program", TextSchema("which program of plcxx.yaml, where it has several")},
-      {"dialect", TextSchema("nc110, technol, host50, prostep or hnc; else told by extension, then by content")},
+      {"dialect",
+       TextSchema("nc110, technol, host50, prostep, hnc or classicladder; else told by extension, then by content")},
       {"options", {{"type", "object"}, {"description", "options of the dialect, as --set key=value"}}},
       {"encoding", TextSchema("of the sources: utf-8, cp866, gb18030, ...; else detected")},
       {"include", TextsSchema("folders where files that options or sources name are looked for")},
@@ -99,6 +100,13 @@ void Command::AddProject() {
     Add("--program");
     AddWord(*program);
   }
+}
+
+void Command::AddTime(size_t questions) {
+  constexpr int64_t kMsPerSecond = 1000;
+  // The rest is for compiling, and for saying what was found.
+  const int64_t ms = seconds_ * kMsPerSecond * 3 / 4 / static_cast<int64_t>(questions);
+  words_.push_back("--time=" + std::to_string(std::max<int64_t>(ms, 1)) + "ms");
 }
 
 void Command::AddProgram() {

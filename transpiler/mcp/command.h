@@ -30,6 +30,11 @@ class Command {
   void AddWord(const std::string& word);
   /// `sources`, else `project` and `program`.
   void AddSources();
+  /// `project` and `program`.
+  void AddProject();
+  /// --time for each of so many questions: what is found out until then is worth more than none of it, which is left of
+  /// a process that is ended.
+  void AddTime(size_t questions);
   /// Options of the dialect and what else makes the program.
   void AddProgram();
 
@@ -38,8 +43,6 @@ class Command {
   std::string Checked(const std::string& path) const;
 
  private:
-  void AddProject();
-
   const Workplace& workplace_;
   const Json& arguments_;
   std::vector<std::string> words_;

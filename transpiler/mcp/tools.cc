@@ -188,6 +188,36 @@ std::vector<std::string> WordsOf(const std::string& line) {
   return words;
 }
 
+/// The columns of the table that plcxx sim prints; names may have blanks in them.
+std::vector<std::string> ColumnsOf(const std::vector<std::string>& watched) {
+  std::vector<std::string> columns = {"ms"};
+  for (const std::string& words : watched) {
+    std::istringstream names(words);
+    for (std::string name; std::getline(names, name, ',');) columns.push_back(name);
+  }
+  return columns;
+}
+
+/// A byte is shown as its bits and as a number.
+bool AreBitsOf(const std::string& bits, const std::string& number) {
+  constexpr size_t kByteBits = 8;
+  if (bits.size() != kByteBits || bits.find_first_not_of("01") != std::string::npos) return false;
+  return std::to_string(std::strtoul(bits.c_str(), nullptr, 2)) == number;
+}
+
+/// Empty: the line is no row of the table.
+Json RowOf(const std::string& line, const std::vector<std::string>& columns) {
+  const std::vector<std::string> words = WordsOf(line);
+  Json row = Json::object();
+  size_t at = 0;
+  for (const std::string& column : columns) {
+    if (at + 1 < words.size() && AreBitsOf(words[at], words[at + 1])) ++at;
+    if (at == words.size() || words[at].find_first_not_of("+-.0123456789abefinE") != std::string::npos) return nullptr;
+    row[column] = words[at++];
+  }
+  return at == words.size() ? row : Json(nullptr);
+}
+
 Json RunSimulate(const Workplace& workplace, const Json& arguments) {
   Command command(workplace, arguments, "sim");
   command.AddProgram();
@@ -206,31 +236,26 @@ Json RunSimulate(const Workplace& workplace, const Json& arguments) {
   command.AddSources();
   const ChildResult run = command.Run();
   Json result = ResultOf(run);
-  Json rows = Json::array();
   std::istringstream lines(run.output);
-  std::vector<std::string> heads;
-  for (std::string line; std::getline(lines, line);) {
-    const std::vector<std::string> words = WordsOf(line);
-    if (words.empty()) continue;
-    if (heads.empty()) {
-      heads = words;
-      if (heads.front() == "time") heads.erase(heads.begin());  // "time ms" is one column
-    } else if (words.size() == heads.size()) {
-      Json row;
-      for (size_t i = 0; i < heads.size(); ++i) row[heads[i]] = words[i];
-      rows.push_back(std::move(row));
-    }
+  std::string line;
+  const std::vector<std::string> columns = ColumnsOf(TextsOf(arguments, "watch"));
+  Json rows = Json::array();
+  while (std::getline(lines, line)) {
+    if (Json row = RowOf(line, columns); !row.is_null()) rows.push_back(std::move(row));
   }
-  result["columns"] = heads;
+  result["columns"] = columns;
   result["rows"] = std::move(rows);
   return result;
 }
 
 Json TestSchema() {
-  return ObjectSchema({{"scenarios", TextsSchema("scenario files, or folders: all *.yaml in them")},
-                       {"engine", TextSchema("sim (the default here), host, all")},
-                       {"seconds", NumberSchema("of real time, at most; 60 if nothing is said")}},
-                      {"scenarios"});
+  return ObjectSchema(
+      {{"scenarios", TextsSchema("scenario files, or folders: all *.yaml in them; else those of the project")},
+       {"project", TextSchema("a plcxx.yaml, else the one of the folder")},
+       {"program", TextSchema("one of the programs of the project")},
+       {"engine", TextSchema("sim (the default here), host, all")},
+       {"seconds", NumberSchema("of real time, at most; 60 if nothing is said")}},
+      Json::array());
 }
 
 Json RunTest(const Workplace& workplace, const Json& arguments) {
@@ -240,7 +265,7 @@ Json RunTest(const Workplace& workplace, const Json& arguments) {
   command.Add("--jobs");
   command.Add("1");
   const std::vector<std::string> scenarios = TextsOf(arguments, "scenarios");
-  if (scenarios.empty()) throw rpc::Error(rpc::kInvalidParams, "'scenarios' names no file");
+  if (scenarios.empty()) command.AddProject();
   for (const std::string& scenario : scenarios) command.AddPath(scenario);
   Json result = TextResultOf(command.Run(), "report");
   result["passed"] = result["exitCode"] == 0;
@@ -253,17 +278,21 @@ Json DiffSchema() {
   return ProgramSchema(
       {{"old", TextSchema("file or folder of the old version")},
        {"new", TextSchema("file or folder of the new version")},
-       {"revisions", TextSchema("of git instead of old and new: v1.2..HEAD, or v1.2.. for the work tree")}},
+       {"revisions",
+        TextSchema(
+            "of git instead of old and new: v1.2..HEAD, or v1.2.. for the work tree; HEAD.. if nothing is said")}},
       Json::array());
 }
 
 Json RunDiff(const Workplace& workplace, const Json& arguments) {
   Command command(workplace, arguments, "diff");
   command.Add("--format=json");
+  command.AddTime(1);
   command.AddProgram();
-  if (const auto revisions = rpc::OptionalText(arguments, "revisions")) {
+  const auto revisions = rpc::OptionalText(arguments, "revisions");
+  if (revisions || !(arguments.contains("old") || arguments.contains("new"))) {
     command.Add("--git");
-    command.AddWord(*revisions);
+    command.AddWord(revisions.value_or("HEAD.."));
     command.AddSources();
     return JsonResultOf(command.Run(), "diff");
   }
@@ -276,10 +305,17 @@ Json RunDiff(const Workplace& workplace, const Json& arguments) {
   return JsonResultOf(command.Run(), "diff");
 }
 
+void Replace(std::string& text, std::string_view what, std::string_view by) {
+  for (size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+    text.replace(at, what.size(), by);
+}
+
 Json ProveSchema() {
   return ProgramSchema(
-      {{"properties", TextsSchema("such as 'never U4A8 and U4A9', or 'I0K1 implies U21K8 within 1 slow'")}},
-      {"properties"});
+      {{"properties",
+        TextsSchema("such as 'never U4A8 and U4A9', or 'I0K1 implies U21K8 within 1 slow'; else those that "
+                    "the project names")}},
+      Json::array());
 }
 
 Json RunProve(const Workplace& workplace, const Json& arguments) {
@@ -288,14 +324,20 @@ Json RunProve(const Workplace& workplace, const Json& arguments) {
   command.AddProgram();
   const TemporaryFolder temporary;
   const std::string file = temporary.path() + "/properties";
-  {
+  const std::vector<std::string> properties = TextsOf(arguments, "properties");
+  command.AddTime(std::max<size_t>(properties.size(), 1));
+  if (!properties.empty()) {
     std::ofstream out(file);
-    for (const std::string& property : TextsOf(arguments, "properties")) out << property << '\n';
+    for (const std::string& property : properties) out << property << '\n';
+    command.Add("--property");
+    command.Add(file);
   }
-  command.Add("--property");
-  command.Add(file);
   command.AddSources();
-  return JsonResultOf(command.Run(), "proof");
+  // Lines and columns are those of the argument: the file is nobody's.
+  ChildResult run = command.Run();
+  Replace(run.output, file, "properties");
+  Replace(run.errors, file, "properties");
+  return JsonResultOf(run, "proof");
 }
 
 Json CrossReferenceSchema() {
@@ -305,10 +347,18 @@ Json CrossReferenceSchema() {
 Json PlacesOf(const std::string& line) {
   Json places = Json::array();
   const std::vector<std::string> words = WordsOf(line.substr(line.find(':') + 1));
+  std::string file;  // a name may have blanks in it: a place ends with a line
   for (const std::string& word : words) {
+    file += (file.empty() ? "" : " ") + word;
     const size_t colon = word.rfind(':');
-    if (colon == std::string::npos) continue;  // "-": nobody
-    places.push_back({{"file", word.substr(0, colon)}, {"line", std::atoi(word.c_str() + colon + 1)}});
+    if (colon == std::string::npos || colon + 1 == word.size() ||
+        word.find_first_not_of("0123456789", colon + 1) != std::string::npos) {
+      continue;  // "-": nobody
+    }
+    const int number = std::atoi(word.c_str() + colon + 1);
+    file.resize(file.size() - (word.size() - colon));
+    places.push_back({{"file", file}, {"line", number}});
+    file.clear();
   }
   return places;
 }

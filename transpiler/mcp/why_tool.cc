@@ -26,7 +26,10 @@ Json RunWhy(const Workplace& workplace, const Json& arguments) {
   if (!can && !scenario && !trace) {
     throw rpc::Error(rpc::kInvalidParams, "name a 'scenario' or a 'vcd', or ask with 'can'");
   }
-  if (can) command.Add("--can");
+  if (can) {
+    command.Add("--can");
+    command.AddTime(1);
+  }
   if (scenario) {
     command.Add("--scenario");
     command.AddPath(*scenario);
