@@ -169,5 +169,36 @@ TEST(Report, UsesInAMachineWithDirectOutputs) {
   EXPECT_THAT(uses.out, HasSubstr("\nP 3.0"));
 }
 
+// -o means the same everywhere: it was passed over, and the table went to standard output.
+TEST(ReportCommand, ATableIsWrittenWhereItIsAskedFor) {
+  const Workplace work;
+  work.Write("a.plc", "$\nU4A8=I0A3\n");
+  for (const std::string table :
+       {"--cross-reference", "--print-symbols", "--resources", "--cost-listing", "--ladder-text"}) {
+    const std::string shown = work.Run("report a.plc " + table).out;
+    const Ran written = work.Run("report a.plc " + table + " -o table.txt");
+    EXPECT_EQ(written.code, 0) << table << written;
+    EXPECT_EQ(written.out, "") << table;
+    EXPECT_EQ(work.Read("table.txt"), shown) << table;
+    EXPECT_EQ(work.Run("report a.plc " + table + " -o -").out, shown) << table;
+  }
+  const Ran folder = work.Run("report a.plc --cross-reference -o tables");
+  EXPECT_EQ(folder.code, 2) << folder;
+  EXPECT_THAT(folder.errors, HasSubstr("name a file with an extension, or leave -o out"));
+}
+
+// A name that is none gave an empty ladder and exit code 0, as if nothing drove the signal.
+TEST(ReportCommand, ASignalThatIsNone) {
+  const Workplace work;
+  work.Write("a.plc", "$\nU4A8=I0A3\n");
+  const Ran wrong = work.Run("report a.plc --ladder-text --signal U4AA8");
+  EXPECT_EQ(wrong.code, 2) << wrong;
+  EXPECT_THAT(wrong.errors, HasSubstr("'U4AA8' is no location of nc110, did you mean 'U4A8'"));
+  const Ran unused = work.Run("report a.plc --ladder-text --signal U4A9");
+  EXPECT_EQ(unused.code, 0) << unused;
+  EXPECT_THAT(unused.errors, HasSubstr("note: no rung names 'U4A9'"));
+  EXPECT_EQ(work.Run("report a.plc --cross-reference --signal U4A8").code, 2);
+}
+
 }  // namespace
 }  // namespace plcxx::driver

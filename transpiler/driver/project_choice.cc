@@ -4,8 +4,6 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <streambuf>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/diagnostics_documents.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/gathered_output.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/support/columns.h"
@@ -57,22 +56,6 @@ std::vector<project::Program> ProgramsHere(const project::Project& project) {
   }
   return found;
 }
-
-/// Keeps what is printed while it lives.
-class GatheredOutput {
- public:
-  explicit GatheredOutput(bool gathers) : before_(gathers ? std::cout.rdbuf(text_.rdbuf()) : nullptr) {}
-  GatheredOutput(const GatheredOutput&) = delete;
-  GatheredOutput& operator=(const GatheredOutput&) = delete;
-  ~GatheredOutput() {
-    if (before_ != nullptr) std::cout.rdbuf(before_);
-  }
-  std::string text() const { return text_.str(); }
-
- private:
-  std::ostringstream text_;
-  std::streambuf* before_;
-};
 
 struct ProgramValue {
   std::string program, text;

@@ -11,6 +11,7 @@
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/gathered_output.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
@@ -22,6 +23,7 @@
 #include "transpiler/report/ladder_lines.h"
 #include "transpiler/report/ladder_pictures.h"
 #include "transpiler/report/page.h"
+#include "transpiler/scenarios/near_location.h"
 #include "transpiler/support/columns.h"
 
 namespace plcxx::driver {
@@ -280,15 +282,44 @@ int WritePage(const ReportOptions& options, const compilation::CompilationReques
   return ExitCodeOf(compilation);
 }
 
+/// Text to standard output, or into the file that -o names.
+int WriteText(const ReportOptions& options, const compilation::Compilation& compilation, const std::string& text) {
+  const std::string& path = options.output.directory;
+  if (path.empty() || path == "-") {
+    std::cout << text;
+    return kDone;
+  }
+  if (const auto failure = WriteAll({{}, {{path, text}}, PathsRead(compilation, options.common)})) {
+    return CannotWrite(*failure);
+  }
+  if (!options.quiet) std::cerr << "wrote " << diag::Escaped(path) << '\n';
+  return kDone;
+}
+
 int PrintLadder(const ReportOptions& options, const compilation::CompilationRequest& request) {
   const std::optional<compilation::Compilation> compiled = CompileProgram(options.common, request);
   if (!compiled) return kWrongUse;
   const compilation::Compilation& compilation = *compiled;
   PrintDiagnosticsBeside(compilation, MessagesOf(options.common));
-  if (compilation.ok() && compilation.has_program) {
-    std::cout << diag::EscapedLines(report::LadderLines(PageInput(compilation), options.signal));
+  if (!compilation.ok() || !compilation.has_program) return ExitCodeOf(compilation);
+  const std::string rungs = report::LadderLines(PageInput(compilation), options.signal);
+  if (rungs.empty() && !options.signal.empty()) {
+    if (!compilation.dialect->locate(ir::NameIndex(compilation.program), options.signal)) {
+      return UsageError(scenarios::NoSuchLocation(*compilation.dialect, compilation.program, options.signal));
+    }
+    std::cerr << "note: no rung names '" << diag::Escaped(options.signal) << "'\n";
   }
-  return ExitCodeOf(compilation);
+  return std::max<int>(WriteText(options, compilation, diag::EscapedLines(rungs)), ExitCodeOf(compilation));
+}
+
+std::string TablesText(const ReportOptions& options, const compilation::Compilation& compilation) {
+  const GatheredOutput gathered(true);
+  if (options.symbols) PrintSymbols(compilation);
+  if (options.cross_reference) PrintCrossReference(compilation);
+  if (options.costs) PrintCosts(compilation);
+  if (options.resources) PrintResources(compilation);
+  if (options.lists) PrintLists(compilation);
+  return gathered.text();
 }
 
 int RunReport(const ReportOptions& options) {
@@ -296,6 +327,14 @@ int RunReport(const ReportOptions& options) {
   if (!request) return kWrongUse;
   if (options.wants_table() && options.ladder) {
     return UsageError("--ladder writes pictures: not together with a table");
+  }
+  if (!options.signal.empty() && !options.ladder_text) {
+    return UsageError("--signal takes rungs out of the ladder as text: add --ladder-text");
+  }
+  if ((options.wants_table() || options.ladder_text) && KindOfOutput(options.output.directory) == OutputKind::kFolder &&
+      !options.output.directory.empty()) {
+    return UsageError("'-o " + options.output.directory +
+                      "' is a folder, and a text is written: name a file with an extension, or leave -o out");
   }
   if (options.ladder_text) return PrintLadder(options, *request);
   if (!options.wants_table()) return WritePage(options, *request);
@@ -307,12 +346,7 @@ int RunReport(const ReportOptions& options) {
     PrintDiagnosticsBeside(compilation, MessagesOf(options.common));
     return ExitCodeOf(compilation);
   }
-  if (options.symbols) PrintSymbols(compilation);
-  if (options.cross_reference) PrintCrossReference(compilation);
-  if (options.costs) PrintCosts(compilation);
-  if (options.resources) PrintResources(compilation);
-  if (options.lists) PrintLists(compilation);
-  return kDone;
+  return WriteText(options, compilation, TablesText(options, compilation));
 }
 
 }  // namespace
