@@ -1,35 +1,89 @@
 // Measures a fleet of a program: processor time of a period, of compiling, and memory, as one line of JSON.
 //
-// plcxx_fleet_bench LANES PERIODS SOURCE...       LANES: 64, 256, 512, or 0 for what the processor has
+// plcxx_fleet_bench LANES PERIODS SOURCE... | plcxx.yaml       LANES: 64, 256, 512, or 0 for what the processor has
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <optional>
 #include <random>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "scalar_time.h"
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/engines/platform.h"
 #include "transpiler/fleet/fleet.h"
 #include "transpiler/ir/zones.h"
+#include "transpiler/project/project.h"
+#include "transpiler/sim/simulator.h"
 
 namespace {
 
 using namespace plcxx;
 
-constexpr uint32_t kPeriodsOfAnInput = 16;
-
 double ProcessorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-int Measure(unsigned lanes, uint32_t periods, char** sources, int count) {
+/// What one command line means: sources, or the file of a project with one program.
+std::optional<compilation::CompilationRequest> RequestOf(std::span<char* const> sources) {
+  if (sources.size() == 1 && std::string_view(sources.front()).ends_with(project::kProjectFile)) {
+    const project::ProjectOrErrors read = project::ReadProject(sources.front());
+    const auto* const found = std::get_if<project::Project>(&read);
+    if (found == nullptr || found->programs.size() != 1) return std::nullopt;
+    return project::RequestOf(found->programs.front());
+  }
   compilation::CompilationRequest request;
-  for (int i = 0; i < count; ++i) request.sources.emplace_back(sources[i]);
-  const compilation::Compilation compiled = compilation::Compile(request);
+  for (const char* const source : sources) request.sources.emplace_back(source);
+  return request;
+}
+
+struct Simulated {
+  double ns = 0, instructions = 0;  // of a period
+};
+
+/// The same program in the simulator, with inputs as those of ScalarNs.
+Simulated MeasureSimulator(const ir::Program& program, const std::vector<bench::BitPlace>& seen,
+                           const std::vector<bench::BitPlace>& inputs, uint32_t periods) {
+  sim::Simulator simulator(program);
+  std::mt19937_64 random(1);
+  const auto set = [&](const std::vector<bench::BitPlace>& bits) {
+    for (const bench::BitPlace& bit : bits) {
+      ir::Place place{.type = ir::Type::kBit, .space = bit.space};
+      place.offset = bit.offset;
+      place.bit = bit.bit;
+      simulator.Write(place, random() & 1);
+    }
+  };
+  simulator.PowerOn();
+  set(seen);
+  Simulated best{.ns = 1e18};
+  uint32_t now_ms = 0;
+  for (int round = 0; round < 5; ++round) {
+    const double before = ProcessorSeconds();
+    const uint64_t executed = simulator.executed();
+    for (uint32_t i = 0; i < periods; ++i) {
+      if (i % bench::kPeriodsOfAnInput == 0) set(inputs);
+      simulator.RunPeriod(now_ms += program.schedule.period_ms);
+      simulator.TakeEvents();
+    }
+    const double ns = (ProcessorSeconds() - before) * 1e9 / periods;
+    if (ns < best.ns) best = {ns, static_cast<double>(simulator.executed() - executed) / periods};
+  }
+  return best;
+}
+
+int Measure(unsigned lanes, uint32_t periods, std::span<char* const> sources) {
+  const std::optional<compilation::CompilationRequest> request = RequestOf(sources);
+  if (!request) {
+    std::fprintf(stderr, "no project of one program: %s\n", sources.front());
+    return 1;
+  }
+  const compilation::Compilation compiled = compilation::Compile(*request);
   if (!compiled.ok()) {
     std::fprintf(stderr, "the program has errors\n");
     return 1;
@@ -49,6 +103,7 @@ int Measure(unsigned lanes, uint32_t periods, char** sources, int count) {
   // What the control writes differs from lane to lane, so that no branch is taken by all, and changes now and then: in
   // the same periods in which the generated code alone is given new inputs.
   std::vector<std::span<uint64_t>> inputs;
+  std::vector<bench::BitPlace> seen_bits, input_bits;
   for (uint32_t s = 0; s < compiled.program.spaces.size(); ++s) {
     const ir::Space& space = compiled.program.spaces[ir::SpaceId(s)];
     if (!space.host_visible) continue;
@@ -57,7 +112,11 @@ int Measure(unsigned lanes, uint32_t periods, char** sources, int count) {
       for (uint8_t bit = 0; bit < 8; ++bit) {
         const std::span<uint64_t> words = fleet.PlaneOf(ir::SpaceId(s), offset, bit);
         for (uint64_t& word : words) word = random();
-        if ((changes >> bit & 1) != 0 && !words.empty()) inputs.push_back(words);
+        if (words.empty()) continue;
+        seen_bits.push_back({ir::SpaceId(s), offset, bit});
+        if ((changes >> bit & 1) == 0) continue;
+        inputs.push_back(words);
+        input_bits.push_back({ir::SpaceId(s), offset, bit});
       }
     }
   }
@@ -67,7 +126,7 @@ int Measure(unsigned lanes, uint32_t periods, char** sources, int count) {
   for (int round = 0; round < 5; ++round) {
     const double before = ProcessorSeconds();
     for (uint32_t i = 0; i < periods; ++i) {
-      if (i % kPeriodsOfAnInput == 0) {
+      if (i % bench::kPeriodsOfAnInput == 0) {
         for (const std::span<uint64_t> words : inputs) {
           for (uint64_t& word : words) word = random();
         }
@@ -76,11 +135,16 @@ int Measure(unsigned lanes, uint32_t periods, char** sources, int count) {
     }
     best = std::min(best, (ProcessorSeconds() - before) / periods);
   }
+  const std::optional<double> scalar = bench::ScalarNs(compiled, seen_bits, input_bits, 16 * periods);
+  if (!scalar) return 1;
+  const Simulated simulated = MeasureSimulator(compiled.program, seen_bits, input_bits, periods);
   std::printf(
-      "{\"lanes\": %u, \"ns_per_period_and_machine\": %.4f, \"compile_s\": %.2f, \"state_bytes_per_lane\": %.1f, "
-      "\"sliced\": %u, \"per_lane\": %u}\n",
-      library->lanes, best * 1e9 / library->lanes, seconds.count(),
-      static_cast<double>(library->state_bytes) / library->lanes, library->share.sliced, library->share.per_lane);
+      "{\"lanes\": %u, \"ns_per_period_and_machine\": %.4f, \"scalar_ns\": %.4f, \"simulator_ns\": %.1f, "
+      "\"instructions\": %.1f, \"compile_s\": %.2f, "
+      "\"state_bytes_per_lane\": %.1f, \"inputs\": %zu, \"sliced\": %u, \"per_lane\": %u}\n",
+      library->lanes, best * 1e9 / library->lanes, *scalar, simulated.ns, simulated.instructions, seconds.count(),
+      static_cast<double>(library->state_bytes) / library->lanes, inputs.size(), library->share.sliced,
+      library->share.per_lane);
   return 0;
 }
 
@@ -88,9 +152,9 @@ int Measure(unsigned lanes, uint32_t periods, char** sources, int count) {
 
 int main(int argc, char** argv) {
   if (argc < 4) {
-    std::fprintf(stderr, "plcxx_fleet_bench LANES PERIODS SOURCE...\n");
+    std::fprintf(stderr, "plcxx_fleet_bench LANES PERIODS SOURCE... | plcxx.yaml\n");
     return 2;
   }
-  return Measure(static_cast<unsigned>(std::atoi(argv[1])), static_cast<uint32_t>(std::atoi(argv[2])), argv + 3,
-                 argc - 3);
+  return Measure(static_cast<unsigned>(std::atoi(argv[1])), static_cast<uint32_t>(std::atoi(argv[2])),
+                 {argv + 3, static_cast<size_t>(argc - 3)});
 }

@@ -130,6 +130,10 @@ class ImagePort {
   virtual ~ImagePort() = default;
   virtual uint8_t Get(ir::SpaceId space, uint32_t offset) const = 0;
   virtual void Set(ir::SpaceId space, uint32_t offset, uint8_t value) = 0;
+  /// Set for each of them, from `offset` on: a control hands over whole areas, of which nearly nothing has changed.
+  virtual void SetAll(ir::SpaceId space, uint32_t offset, std::span<const uint8_t> values) {
+    for (const uint8_t value : values) Set(space, offset++, value);
+  }
   /// The control takes the retentive memory into its store.
   virtual void StoreRetentive() = 0;
   /// The control looks at the message bits now; it does so at the end of each period in any case.

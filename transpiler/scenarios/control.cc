@@ -183,6 +183,16 @@ void ScenarioControl::Set(ir::SpaceId space, uint32_t offset, uint8_t value) {
   if (after != before) engine_.Write(ByteOf(space, offset), after);
 }
 
+void ScenarioControl::SetAll(ir::SpaceId space, uint32_t offset, std::span<const uint8_t> values) {
+  for (size_t i = 0; i < values.size(); ++i) {
+    // What is there already needs no writing. An engine that does not show its memory is asked byte by byte.
+    const std::span<const uint8_t> memory = engine_.Memory(space);
+    const std::span<const uint8_t> there = memory.subspan(std::min(offset + i, memory.size()));
+    i += static_cast<size_t>(std::ranges::mismatch(values.subspan(i), there).in1 - values.subspan(i).begin());
+    if (i < values.size()) Set(space, offset + static_cast<uint32_t>(i), values[i]);
+  }
+}
+
 std::vector<std::pair<ir::Place, uint64_t>> WritesTo(const dialects::Location& location, uint64_t value) {
   if (location.bits.empty()) return {{location.place, value}};
   std::vector<std::pair<ir::Place, uint64_t>> writes;

@@ -86,6 +86,7 @@ class ScenarioControl : private dialects::ImagePort {
  private:
   uint8_t Get(ir::SpaceId space, uint32_t offset) const override;
   void Set(ir::SpaceId space, uint32_t offset, uint8_t value) override;
+  void SetAll(ir::SpaceId space, uint32_t offset, std::span<const uint8_t> values) override;
   void StoreRetentive() override { engine_.StoreRetentive(); }
   void LookAtMessages() override;
 

@@ -11,6 +11,10 @@
 namespace plcxx::sim {
 namespace {
 
+/// Of each struct, and of the memory that a vector has.
+constexpr size_t kAlignment = alignof(uint64_t);
+static_assert(kAlignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+
 /// Where a field is in its struct.
 struct FieldSlot {
   ir::StateKind kind;
@@ -40,7 +44,8 @@ constexpr bool InStructOrder() {
 }
 static_assert(InStructOrder(), "states.def lists the fields in the order of the struct");
 
-#define PLCXX_STATE(Kind, ...) static_assert(std::is_trivially_copyable_v<plcxx::Kind>);
+#define PLCXX_STATE(Kind, ...) \
+  static_assert(std::is_trivially_copyable_v<plcxx::Kind> && alignof(plcxx::Kind) <= kAlignment);
 #define PLCXX_FIELD(Kind, Field, FieldType)                                        \
   static_assert(sizeof(plcxx::Kind::Field) == ir::Bytes(ir::Type::k##FieldType) && \
                 std::is_same_v<decltype(plcxx::Kind::Field), bool> == (ir::Type::k##FieldType == ir::Type::kBit));
@@ -51,16 +56,33 @@ static_assert(InStructOrder(), "states.def lists the fields in the order of the 
 #undef PLCXX_FIELD
 #undef PLCXX_HIDDEN
 
+/// The rows of a kind begin here.
+constexpr size_t FirstSlot(ir::StateKind kind) {
+  size_t i = 0;
+  while (kSlots[i].kind != kind) ++i;
+  return i;
+}
+/// By StateKind, which is the order of the table.
+constexpr size_t kFirstSlots[] = {
+#define PLCXX_STATE(Kind, ...) FirstSlot(ir::StateKind::k##Kind),
+#define PLCXX_FIELD(...)
+#define PLCXX_HIDDEN(...)
+#include "transpiler/ir/states.def"
+#undef PLCXX_STATE
+#undef PLCXX_FIELD
+#undef PLCXX_HIDDEN
+};
+
 const FieldSlot& SlotOf(ir::StateKind kind, uint8_t field) {
-  const FieldSlot* first = std::ranges::find(kSlots, kind, &FieldSlot::kind);
-  return first[field];
+  return kSlots[kFirstSlots[static_cast<size_t>(kind)] + field];
 }
 
-Instance Zero(ir::StateKind kind) {
+/// Bytes of the struct of a kind.
+size_t SizeOf(ir::StateKind kind) {
   switch (kind) {
 #define PLCXX_STATE(Kind, ...) \
   case ir::StateKind::k##Kind: \
-    return plcxx::Kind{};
+    return sizeof(plcxx::Kind);
 #define PLCXX_FIELD(...)
 #define PLCXX_HIDDEN(...)
 #include "transpiler/ir/states.def"
@@ -69,20 +91,6 @@ Instance Zero(ir::StateKind kind) {
 #undef PLCXX_HIDDEN
   }
   PLCXX_UNREACHABLE();
-}
-
-template <class StateOrConst, class Byte>
-std::span<Byte> BytesOf(StateOrConst& state, const FieldSlot& slot) {
-  return {reinterpret_cast<Byte*>(&state) + slot.offset, slot.element_bytes * slot.count};
-}
-
-std::span<const unsigned char> FieldBytes(const Instance& instance, const FieldSlot& slot) {
-  return std::visit([&](const auto& state) { return BytesOf<decltype(state), const unsigned char>(state, slot); },
-                    instance);
-}
-
-std::span<unsigned char> FieldBytes(Instance& instance, const FieldSlot& slot) {
-  return std::visit([&](auto& state) { return BytesOf<decltype(state), unsigned char>(state, slot); }, instance);
 }
 
 /// Where byte `i` of an element stands, counted from the least significant one.
@@ -99,23 +107,49 @@ uint64_t Element(std::span<const unsigned char> bytes) {
 }  // namespace
 
 Instances::Instances(const ir::Program& program) : forced_(program.states.size()) {
+  size_t bytes = 0;
   for (const ir::StateInstance& state : program.states) {
     kinds_.push_back(state.kind);
-    instances_.push_back(Zero(state.kind));
+    at_.push_back(static_cast<uint32_t>(bytes));
+    bytes += (SizeOf(state.kind) + kAlignment - 1) / kAlignment * kAlignment;
   }
+  bytes_.resize(bytes);
+  for (uint32_t i = 0; i < size(); ++i) Zero(i);
+}
+
+/// A struct begins to live there, all 0.
+void Instances::Zero(uint32_t instance) {
+  unsigned char* const bytes = BytesAt(at_[instance]);
+  switch (kinds_[instance]) {
+#define PLCXX_STATE(Kind, ...) \
+  case ir::StateKind::k##Kind: \
+    new (bytes) plcxx::Kind{}; \
+    return;
+#define PLCXX_FIELD(...)
+#define PLCXX_HIDDEN(...)
+#include "transpiler/ir/states.def"
+#undef PLCXX_STATE
+#undef PLCXX_FIELD
+#undef PLCXX_HIDDEN
+  }
+  PLCXX_UNREACHABLE();
+}
+
+uint32_t Instances::PlaceOf(uint32_t instance, uint8_t field) const {
+  return at_[instance] + static_cast<uint32_t>(SlotOf(kinds_[instance], field).offset);
 }
 
 uint64_t Instances::Read(uint32_t instance, uint8_t field) const {
-  return Element(FieldBytes(instances_[instance], SlotOf(kinds_[instance], field)));
+  const FieldSlot& slot = SlotOf(kinds_[instance], field);
+  return Element({BytesAt(PlaceOf(instance, field)), slot.element_bytes * slot.count});
 }
 
 void Instances::Set(uint32_t instance, uint8_t field, uint64_t value) {
   // A bool that holds anything but 0 and 1 is undefined behaviour for whoever reads it.
   if (ir::Info(kinds_[instance]).fields[field].type == ir::Type::kBit) value &= 1;
-  const std::span<unsigned char> bytes = FieldBytes(instances_[instance], SlotOf(kinds_[instance], field));
-  for (size_t i = 0; i < bytes.size(); ++i) {
-    bytes[ByteAt(i, bytes.size())] = static_cast<unsigned char>(value >> (8 * i));
-  }
+  unsigned char* const bytes = BytesAt(PlaceOf(instance, field));
+  const size_t count = SlotOf(kinds_[instance], field).element_bytes;
+  for (size_t i = 0; i < count; ++i) bytes[ByteAt(i, count)] = static_cast<unsigned char>(value >> (8 * i));
 }
 
 void Instances::Write(uint32_t instance, uint8_t field, uint64_t value) {
@@ -139,7 +173,7 @@ void Instances::WriteForced(uint32_t instance) {
 
 void Instances::Clear() {
   for (uint32_t i = 0; i < size(); ++i) {
-    instances_[i] = Zero(kinds_[i]);
+    Zero(i);
     Reforce(i);
   }
 }
@@ -149,7 +183,7 @@ void Instances::AppendTo(std::vector<uint8_t>& bytes) const {
     const auto fields = static_cast<uint8_t>(ir::Info(kinds_[i]).fields.size());
     for (uint8_t field = 0; field < fields; ++field) {
       const FieldSlot& slot = SlotOf(kinds_[i], field);
-      const std::span<const unsigned char> all = FieldBytes(instances_[i], slot);
+      const std::span<const unsigned char> all(BytesAt(PlaceOf(i, field)), slot.element_bytes * slot.count);
       for (size_t k = 0; k < slot.count; ++k) {
         const uint64_t value = Element(all.subspan(k * slot.element_bytes, slot.element_bytes));
         for (size_t j = 0; j < slot.element_bytes; ++j) bytes.push_back(static_cast<uint8_t>(value >> (8 * j)));

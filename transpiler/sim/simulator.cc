@@ -28,6 +28,7 @@ Simulator::Simulator(const ir::Program& program)
     const ir::Inst& inst = program[ir::InstId(i)];
     if (inst.op == ir::OpKind::kConst) values_[i] = ir::ConstantValue(inst);
   }
+  Decode();
 }
 
 void Simulator::PowerOn() {
@@ -105,7 +106,9 @@ void Simulator::SendText(std::string_view text) {
 
 void Simulator::EnableStatement(ir::StatementId statement, bool enabled) {
   PLCXX_CHECK(statement.index < switched_off_.size());
+  if (switched_off_[statement.index] == !enabled) return;
   switched_off_[statement.index] = !enabled;
+  switched_off_count_ += enabled ? size_t{0} - 1 : 1;
 }
 
 void Simulator::StoreRetentive() {

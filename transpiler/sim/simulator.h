@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "transpiler/ir/program.h"
+#include "transpiler/sim/decoded.h"
 #include "transpiler/sim/engine.h"
 #include "transpiler/sim/forced_bytes.h"
 #include "transpiler/sim/instances.h"
@@ -84,9 +85,8 @@ class Simulator : public Engine {
   uint64_t executed() const { return executed_; }
 
  private:
-  /// Whether execution goes on after an instruction, or an Exit is on its way to the block or loop `leaving_`; once it
-  /// has stopped, that is none, so that everything is left.
-  enum class Flow : uint8_t { kOn, kLeaving };
+  /// The functions of decoded instructions.
+  struct Functions;
 
   /// The statement whose instructions are being executed.
   struct Current {
@@ -102,7 +102,16 @@ class Simulator : public Engine {
   /// Those of the caller, while a partition runs that it calls.
   void KeepLocals();
   void PutBackLocals();
+  /// Once it has stopped, what is left is no block or loop (`leaving_`), so that everything is left.
   Flow Execute(ir::RegionId region);
+  /// All instructions of a region, where none is switched off and nobody is asked at statements.
+  template <bool kNotes>
+  Flow ExecuteAll(const DecodedRegion& region);
+  Flow ExecuteWithCare(ir::RegionId region);
+  bool is_careful() const { return switched_off_count_ > 0 || at_statement_; }
+  void Note(uint32_t id) { given_[id] = static_cast<uint8_t>(given_[id] | (values_[id] != 0 ? kGaveOther : kGave0)); }
+  void Decode();
+  Decoded DecodedOf(ir::InstId id) const;
 
   /// Of a statement that is switched off: the other statements in the regions that its jumps made.
   Flow ExecuteOthers(ir::InstId id, const ir::Inst& inst);
@@ -142,8 +151,12 @@ class Simulator : public Engine {
   /// Those of callers, the innermost at the end. One piece of memory that stays, for every partition has all of them.
   std::vector<uint8_t> kept_locals_;
   Instances instances_;
-  std::vector<uint64_t> values_;    // by ValueId, raw bits; constants are there from the start
-  std::vector<bool> switched_off_;  // by StatementId
+  std::vector<uint64_t> values_;  // by ValueId, raw bits; constants are there from the start
+  std::vector<Decoded> decoded_;
+  std::vector<uint32_t> decoded_at_;            // by InstId: in decoded_
+  std::vector<DecodedRegion> decoded_regions_;  // by RegionId
+  std::vector<bool> switched_off_;              // by StatementId
+  size_t switched_off_count_ = 0;
   Current current_;
   ir::InstId leaving_;
   bool repeats_ = false;  // what leaves is a Repeat: another round of the loop it names

@@ -2,16 +2,7 @@
 
 #include <utility>
 
-#include "plcxx/arith.h"
-#include "plcxx/bcd.h"
-#include "plcxx/c_integers.h"
-#include "plcxx/doubles.h"
-#include "plcxx/floats.h"
-#include "plcxx/logic.h"
-#include "plcxx/registers.h"
-#include "plcxx/rings.h"
 #include "transpiler/ir/uses.h"
-#include "transpiler/sim/evaluate.h"
 #include "transpiler/sim/simulator.h"
 #include "transpiler/support/check.h"
 
@@ -61,11 +52,41 @@ bool Simulator::Stops() {
   return stopped_;
 }
 
-Simulator::Flow Simulator::Execute(RegionId region) {
-  using namespace operand_types;
+Flow Simulator::Execute(RegionId region) {
   if (!region.valid()) return Flow::kOn;
   if (Stops()) return Flow::kLeaving;
   const Current outer = current_;
+  const Flow flow = is_careful()     ? ExecuteWithCare(region)
+                    : given_.empty() ? ExecuteAll<false>(decoded_regions_[region.index])
+                                     : ExecuteAll<true>(decoded_regions_[region.index]);
+  current_ = outer;
+  return flow;
+}
+
+template <bool kNotes>
+Flow Simulator::ExecuteAll(const DecodedRegion& region) {
+  const uint32_t count = region.end - region.begin;
+  executed_ += count;
+  uint32_t done = count;
+  Flow flow = Flow::kOn;
+  const Decoded* const constants = decoded_.data() + region.constants;
+  for (const Decoded* inst = decoded_.data() + region.begin; inst != constants; ++inst) {
+    flow = inst->execute(*this, *inst);
+    if constexpr (kNotes) Note(inst->id);
+    if (flow == Flow::kOn) continue;
+    done = inst->order + 1;
+    break;
+  }
+  executed_ -= count - done;
+  if constexpr (kNotes) {
+    for (const Decoded* inst = constants; inst != decoded_.data() + region.end; ++inst) {
+      if (inst->order < done) Note(inst->id);
+    }
+  }
+  return flow;
+}
+
+Flow Simulator::ExecuteWithCare(RegionId region) {
   Flow flow = Flow::kOn;
   for (const InstId id : program_.regions[region].insts) {
     const Inst& inst = program_[id];
@@ -76,62 +97,37 @@ Simulator::Flow Simulator::Execute(RegionId region) {
       continue;
     }
     ++executed_;
-    const auto operand = [&](size_t i) { return values_[i == 0 ? inst.a : i == 1 ? inst.b : inst.c]; };
-    switch (inst.op) {
-#define PLCXX_PURE(Kind, Text, Operands, Result, Spelling, Precedence, Function, Cost)  \
-  case ir::OpKind::k##Kind:                                                             \
-    values_[id.index] = Apply(std::type_identity<Result Operands>{}, operand,           \
-                              [](auto... value) { return plcxx::Function(value...); }); \
-    break;
-#define PLCXX_STEP(Kind, Text, State, Operands, Result, Spelling, Function, Cost)                  \
-  case ir::OpKind::k##Kind:                                                                        \
-    values_[id.index] = Apply(std::type_identity<Result Operands>{}, operand, [&](auto... value) { \
-      return plcxx::Function(instances_.Get<plcxx::State>(inst.payload), value...);                \
-    });                                                                                            \
-    Stepped(inst.payload);                                                                         \
-    break;
-#define PLCXX_CORE(Kind, ...)       \
-  case ir::OpKind::k##Kind:         \
-    flow = Execute##Kind(id, inst); \
-    break;
-#include "transpiler/ir/ops.def"
-#undef PLCXX_PURE
-#undef PLCXX_STEP
-#undef PLCXX_CORE
-    }
-    if (!given_.empty()) {
-      uint8_t& given = given_[id.index];
-      given = static_cast<uint8_t>(given | (values_[id.index] != 0 ? kGaveOther : kGave0));
-    }
+    const Decoded& decoded = decoded_[decoded_at_[id.index]];
+    flow = decoded.execute(*this, decoded);
+    if (!given_.empty()) Note(id.index);
     if (flow == Flow::kLeaving) break;
   }
-  current_ = outer;
   return flow;
 }
 
-Simulator::Flow Simulator::ExecuteConst(InstId, const Inst&) { return Flow::kOn; }   // its value is there already
-Simulator::Flow Simulator::ExecutePoison(InstId, const Inst&) { return Flow::kOn; }  // 0, likewise
+Flow Simulator::ExecuteConst(InstId, const Inst&) { return Flow::kOn; }   // its value is there already
+Flow Simulator::ExecutePoison(InstId, const Inst&) { return Flow::kOn; }  // 0, likewise
 
-Simulator::Flow Simulator::ExecuteLoad(InstId id, const Inst& inst) {
+Flow Simulator::ExecuteLoad(InstId id, const Inst& inst) {
   const PlaceAccess& access = places_[inst.payload];
   values_[id.index] = Get(access, access.indexed ? values_[inst.a] : 0);
   return Flow::kOn;
 }
 
-Simulator::Flow Simulator::ExecuteStore(InstId, const Inst& inst) {
+Flow Simulator::ExecuteStore(InstId, const Inst& inst) {
   const PlaceAccess& access = places_[inst.payload];
   Set(access, access.indexed ? values_[inst.b] : 0, values_[inst.a], Writer::kProgram);
   return Flow::kOn;
 }
 
-Simulator::Flow Simulator::ExecuteUpdateText(InstId, const Inst& inst) {
+Flow Simulator::ExecuteUpdateText(InstId, const Inst& inst) {
   plcxx::UpdateText(instances_.Get<plcxx::TextFlag>(inst.payload), instances_.Get<plcxx::TextInbox>(inst.a),
                     program_.texts[ir::TextId(inst.b)].c_str());
   Stepped(inst.payload);
   return Flow::kOn;
 }
 
-Simulator::Flow Simulator::ExecuteStatement(InstId, const Inst& inst) {
+Flow Simulator::ExecuteStatement(InstId, const Inst& inst) {
   const ir::StatementId id(inst.payload);
   const ir::Statement& statement = program_.statements[id];
   const bool off = switched_off_[id.index];
@@ -144,13 +140,13 @@ Simulator::Flow Simulator::ExecuteStatement(InstId, const Inst& inst) {
   return Flow::kLeaving;
 }
 
-Simulator::Flow Simulator::ExecuteIf(InstId, const Inst& inst) {
+Flow Simulator::ExecuteIf(InstId, const Inst& inst) {
   const bool condition = values_[inst.a] != 0 && !current_.head_is_false;
   return Execute(RegionId(condition ? inst.b : inst.c));
 }
 
 /// Of a statement that is switched off: regions that jumps made, with the other statements in them.
-Simulator::Flow Simulator::ExecuteOthers(InstId id, const Inst& inst) {
+Flow Simulator::ExecuteOthers(InstId id, const Inst& inst) {
   if (inst.op == ir::OpKind::kBlock) return ExecuteBlock(id, inst);
   if (inst.op == ir::OpKind::kLoop) {
     const bool of_jumps = program_.loops[ir::LoopId(inst.payload)].kind == ir::LoopBound::kBudget;
@@ -168,7 +164,7 @@ Simulator::Flow Simulator::ExecuteOthers(InstId id, const Inst& inst) {
   PLCXX_UNREACHABLE();
 }
 
-Simulator::Flow Simulator::ExecuteSwitch(InstId, const Inst& inst) {
+Flow Simulator::ExecuteSwitch(InstId, const Inst& inst) {
   const std::vector<ir::SwitchCase>& cases = program_.switches[ir::SwitchId(inst.payload)].cases;
   const uint64_t selector = values_[inst.a];
   size_t chosen = cases.size();
@@ -188,7 +184,7 @@ Simulator::Flow Simulator::ExecuteSwitch(InstId, const Inst& inst) {
   return Flow::kOn;
 }
 
-Simulator::Flow Simulator::ExecuteLoop(InstId id, const Inst& inst) {
+Flow Simulator::ExecuteLoop(InstId id, const Inst& inst) {
   if (current_.head_is_false) return Flow::kOn;
   const ir::Loop& loop = program_.loops[ir::LoopId(inst.payload)];
   for (uint64_t round = 0;; ++round) {
@@ -218,20 +214,20 @@ Simulator::Flow Simulator::ExecuteLoop(InstId id, const Inst& inst) {
   }
 }
 
-Simulator::Flow Simulator::ExecuteBlock(InstId id, const Inst& inst) {
+Flow Simulator::ExecuteBlock(InstId id, const Inst& inst) {
   return Execute(RegionId(inst.a)) == Flow::kLeaving ? Leave(id) : Flow::kOn;
 }
 
-Simulator::Flow Simulator::Leave(InstId block) { return leaving_ == block ? Flow::kOn : Flow::kLeaving; }
+Flow Simulator::Leave(InstId block) { return leaving_ == block ? Flow::kOn : Flow::kLeaving; }
 
-Simulator::Flow Simulator::ExecuteExit(InstId, const Inst& inst) {
+Flow Simulator::ExecuteExit(InstId, const Inst& inst) {
   if (ir::ValueId(inst.a).valid() && values_[inst.a] == 0) return Flow::kOn;
   leaving_ = InstId(inst.payload);
   repeats_ = false;
   return Flow::kLeaving;
 }
 
-Simulator::Flow Simulator::ExecuteRepeat(InstId, const Inst& inst) {
+Flow Simulator::ExecuteRepeat(InstId, const Inst& inst) {
   if (ir::ValueId(inst.a).valid() && values_[inst.a] == 0) return Flow::kOn;
   const ir::LoopId loop(program_[InstId(inst.payload)].payload);
   const PlaceAccess& budget = places_[program_.loops[loop].budget.index];
@@ -243,7 +239,7 @@ Simulator::Flow Simulator::ExecuteRepeat(InstId, const Inst& inst) {
   return Flow::kLeaving;
 }
 
-Simulator::Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
+Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
   const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
   const ir::Routine& routine = program_.routines[call.routine];
   const bool is_partition = routine.kind != ir::RoutineKind::kSubroutine;
@@ -260,7 +256,7 @@ Simulator::Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
   return stopped_ ? Flow::kLeaving : Flow::kOn;
 }
 
-Simulator::Flow Simulator::ExecuteHostCall(InstId id, const Inst& inst) {
+Flow Simulator::ExecuteHostCall(InstId id, const Inst& inst) {
   const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
   const HostAnswer answer = CallHost(call);
   values_[id.index] = answer.result;
@@ -286,7 +282,7 @@ HostAnswer Simulator::CallHost(const ir::Call& call) {
 }
 
 // Structuring has replaced both; the verifier refuses them in what comes here.
-Simulator::Flow Simulator::ExecuteJump(InstId, const Inst&) { PLCXX_UNREACHABLE(); }
-Simulator::Flow Simulator::ExecuteLabel(InstId, const Inst&) { PLCXX_UNREACHABLE(); }
+Flow Simulator::ExecuteJump(InstId, const Inst&) { PLCXX_UNREACHABLE(); }
+Flow Simulator::ExecuteLabel(InstId, const Inst&) { PLCXX_UNREACHABLE(); }
 
 }  // namespace plcxx::sim

@@ -174,11 +174,18 @@ void Watch::BeginFrom(Machines& machines, size_t machine) {
 
 void Watch::LookAtOutputs(sim::Engine& engine) {
   size_t i = 0;
+  ir::SpaceId space;
+  std::span<const uint8_t> memory;
   for (const WatchPlan::OutputByte& byte : plan_.outputs()) {
-    const std::span<const uint8_t> memory = engine.Memory(byte.space);
-    ir::Place place{.type = ir::Type::kI8, .space = byte.space};
-    place.offset = byte.offset;
-    const auto value = static_cast<uint8_t>(byte.offset < memory.size() ? memory[byte.offset] : engine.Read(place));
+    if (byte.space != space) memory = engine.Memory(space = byte.space);
+    uint8_t value = 0;
+    if (byte.offset < memory.size()) {
+      value = memory[byte.offset];
+    } else {
+      ir::Place place{.type = ir::Type::kI8, .space = byte.space};
+      place.offset = byte.offset;
+      value = static_cast<uint8_t>(engine.Read(place));
+    }
     outputs_.ones[i] = static_cast<uint8_t>(outputs_.ones[i] | value);
     outputs_.zeros[i] = static_cast<uint8_t>(outputs_.zeros[i] | ~value);
     ++i;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 #include "transpiler/dialects/hnc/control/locate.h"
@@ -83,8 +84,7 @@ class Stub final : public dialects::ControlStub {
   uint32_t Bytes(Area area) const { return static_cast<uint32_t>(host_[static_cast<size_t>(area)].size()); }
 
   void HandOver(Area area, uint32_t bytes, dialects::ImagePort& image) {
-    const std::vector<uint8_t>& held = host_[static_cast<size_t>(area)];
-    for (uint32_t i = 0; i < bytes; ++i) image.Set(SpaceOf(area), i, held[i]);
+    image.SetAll(SpaceOf(area), 0, std::span(host_[static_cast<size_t>(area)]).first(bytes));
   }
 
   void Keep(Area area, const ir::Place& place, uint64_t value) {
