@@ -34,22 +34,22 @@ class ForcedBytes {
 
   static constexpr uint32_t kKeptForEach = 2;  // bytes that Keep writes for each byte: its value, what is forced of it
 
-  /// Writes the first `count` bytes to `kept`, forces included. Says how many it wrote.
-  size_t Keep(uint32_t count, uint8_t* kept) const {
-    std::copy_n(bytes_.begin(), count, kept);
-    std::copy_n(forced_.begin(), count, kept + count);
+  /// Writes `count` bytes from `begin` on to `kept`, forces included. Says how many it wrote.
+  size_t Keep(uint32_t begin, uint32_t count, uint8_t* kept) const {
+    std::copy_n(bytes_.begin() + begin, count, kept);
+    std::copy_n(forced_.begin() + begin, count, kept + count);
     return size_t{kKeptForEach} * count;
   }
   /// They become what Keep wrote again. Says how many it read.
-  size_t PutBack(uint32_t count, const uint8_t* kept) {
-    std::copy_n(kept, count, bytes_.begin());
-    std::copy_n(kept + count, count, forced_.begin());
+  size_t PutBack(uint32_t begin, uint32_t count, const uint8_t* kept) {
+    std::copy_n(kept, count, bytes_.begin() + begin);
+    std::copy_n(kept + count, count, forced_.begin() + begin);
     return size_t{kKeptForEach} * count;
   }
   /// They become 0, and free.
-  void Renew(uint32_t count) {
-    std::fill_n(bytes_.begin(), count, uint8_t{0});
-    std::fill_n(forced_.begin(), count, uint8_t{0});
+  void Renew(uint32_t begin, uint32_t count) {
+    std::fill_n(bytes_.begin() + begin, count, uint8_t{0});
+    std::fill_n(forced_.begin() + begin, count, uint8_t{0});
   }
 
  private:

@@ -10,20 +10,8 @@ namespace plcxx::sim {
 Simulator::Simulator(const ir::Program& program)
     : program_(program), instances_(program), values_(program.insts.size()), switched_off_(program.statements.size()) {
   for (const ir::Place& place : program.places) places_.push_back(AccessTo(program, place));
-  for (uint32_t i = 0; i < program.spaces.size(); ++i) {
-    const ir::Space& space = program.spaces[ir::SpaceId(i)];
-    spaces_.emplace_back(space.bytes);
-    if (space.lifetime == ir::Lifetime::kRoutine && space.bytes != 0) locals_.push_back({.space = i, .used = 0});
-  }
-  for (const PlaceAccess& access : places_) {
-    if (access.kind == AccessKind::kAbsent || access.kind == AccessKind::kField) continue;
-    const auto locals = std::ranges::lower_bound(locals_, access.owner, {}, &Locals::space);
-    if (locals == locals_.end() || locals->space != access.owner) continue;
-    const uint32_t end = access.indexed ? access.high : access.offset + access.bytes;
-    locals->used = std::max(locals->used, std::min(end, spaces_[access.owner].size()));
-  }
-  std::erase_if(locals_, [](const Locals& locals) { return locals.used == 0; });
-  for (const Locals& locals : locals_) bytes_of_locals_ += ForcedBytes::kKeptForEach * locals.used;
+  for (const ir::Space& space : program.spaces) spaces_.emplace_back(space.bytes);
+  locals_ = FindLocalStretches(program, places_);
   for (uint32_t i = 0; i < program.insts.size(); ++i) {
     const ir::Inst& inst = program[ir::InstId(i)];
     if (inst.op == ir::OpKind::kConst) values_[i] = ir::ConstantValue(inst);
@@ -53,20 +41,17 @@ void Simulator::SetTime(uint32_t now_ms) {
 
 void Simulator::RunPeriod(uint32_t now_ms) {
   SetTime(now_ms);
-  BeginLocals();
-  Run(program_.schedule.period);
+  RunPartition(program_.schedule.period);
 }
 
 void Simulator::RunFastOnly(uint32_t now_ms) {
   SetTime(now_ms);
-  BeginLocals();
-  Run(program_.schedule.fast_only);
+  RunPartition(program_.schedule.fast_only);
 }
 
 void Simulator::RunElapse(uint32_t now_ms) {
   SetTime(now_ms);
-  BeginLocals();
-  Run(program_.schedule.elapse);
+  RunPartition(program_.schedule.elapse);
 }
 
 uint64_t Simulator::Read(const ir::Place& place) { return Get(AccessTo(program_, place), 0); }

@@ -19,6 +19,7 @@
 #include "transpiler/sim/forced_bytes.h"
 #include "transpiler/sim/instances.h"
 #include "transpiler/sim/last_writes.h"
+#include "transpiler/sim/local_stretches.h"
 #include "transpiler/sim/place_access.h"
 
 namespace plcxx::sim {
@@ -97,11 +98,12 @@ class Simulator : public Engine {
 
   void SetTime(uint32_t now_ms);
   void Run(ir::RoutineId routine);
-  /// Begins a partition: its named locals are all 0.
-  void BeginLocals();
-  /// Those of the caller, while a partition runs that it calls.
-  void KeepLocals();
-  void PutBackLocals();
+  /// With its named locals 0.
+  void RunPartition(ir::RoutineId routine);
+  void BeginLocals(const LocalStretches& locals);
+  /// Those of the callers, while a partition runs that may use the same ones.
+  void KeepLocals(const LocalStretches& locals);
+  void PutBackLocals(const LocalStretches& locals, size_t from);
   /// Once it has stopped, what is left is no block or loop (`leaving_`), so that everything is left.
   Flow Execute(ir::RegionId region);
   /// All instructions of a region, where none is switched off and nobody is asked at statements.
@@ -140,16 +142,10 @@ class Simulator : public Engine {
   void NoteField(uint32_t instance, uint8_t field, LastWrite write);
 
   const ir::Program& program_;
-  std::vector<PlaceAccess> places_;  // by PlaceId
-  std::vector<ForcedBytes> spaces_;  // by SpaceId
-  /// The spaces of lifetime kRoutine, and how many of their bytes the program uses: the rest is always 0.
-  struct Locals {
-    uint32_t space, used;
-  };
-  std::vector<Locals> locals_;
-  size_t bytes_of_locals_ = 0;
-  /// Those of callers, the innermost at the end. One piece of memory that stays, for every partition has all of them.
-  std::vector<uint8_t> kept_locals_;
+  std::vector<PlaceAccess> places_;     // by PlaceId
+  std::vector<ForcedBytes> spaces_;     // by SpaceId
+  std::vector<LocalStretches> locals_;  // by RoutineId
+  std::vector<uint8_t> kept_locals_;    // of all callers, the innermost at the end
   Instances instances_;
   std::vector<uint64_t> values_;  // by ValueId, raw bits; constants are there from the start
   std::vector<Decoded> decoded_;

@@ -25,21 +25,28 @@ void Simulator::Run(ir::RoutineId id) {
   current_ = caller;
 }
 
-void Simulator::BeginLocals() {
-  for (const auto& [space, used] : locals_) spaces_[space].Renew(used);
+void Simulator::RunPartition(ir::RoutineId routine) {
+  if (!routine.valid()) return;
+  BeginLocals(locals_[routine.index]);
+  Run(routine);
 }
 
-void Simulator::KeepLocals() {
-  size_t at = kept_locals_.size();
-  kept_locals_.resize(at + bytes_of_locals_);
-  for (const auto& [space, used] : locals_) at += spaces_[space].Keep(used, &kept_locals_[at]);
+void Simulator::BeginLocals(const LocalStretches& locals) {
+  for (const auto& [space, begin, end] : locals) spaces_[space].Renew(begin, end - begin);
 }
 
-void Simulator::PutBackLocals() {
-  const size_t begin = kept_locals_.size() - bytes_of_locals_;
-  size_t at = begin;
-  for (const auto& [space, used] : locals_) at += spaces_[space].PutBack(used, &kept_locals_[at]);
-  kept_locals_.resize(begin);
+void Simulator::KeepLocals(const LocalStretches& locals) {
+  for (const auto& [space, begin, end] : locals) {
+    const size_t at = kept_locals_.size();
+    kept_locals_.resize(at + size_t{ForcedBytes::kKeptForEach} * (end - begin));
+    spaces_[space].Keep(begin, end - begin, &kept_locals_[at]);
+  }
+}
+
+void Simulator::PutBackLocals(const LocalStretches& locals, size_t from) {
+  size_t at = from;
+  for (const auto& [space, begin, end] : locals) at += spaces_[space].PutBack(begin, end - begin, &kept_locals_[at]);
+  kept_locals_.resize(from);
 }
 
 bool Simulator::Stops() {
@@ -243,16 +250,18 @@ Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
   const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
   const ir::Routine& routine = program_.routines[call.routine];
   const bool is_partition = routine.kind != ir::RoutineKind::kSubroutine;
+  const LocalStretches& locals = locals_[call.routine.index];
+  const size_t kept_from = kept_locals_.size();
   if (is_partition) {
-    KeepLocals();
-    BeginLocals();
+    KeepLocals(locals);
+    BeginLocals(locals);
   }
   for (size_t i = 0; i < call.arguments.size() && i < routine.parameter_places.size(); ++i) {
     Set(places_[routine.parameter_places[i].index], 0, values_[call.arguments[i].index], Writer::kProgram);
   }
   Run(call.routine);
   if (routine.result_place.valid()) values_[id.index] = Get(places_[routine.result_place.index], 0);
-  if (is_partition) PutBackLocals();
+  if (is_partition) PutBackLocals(locals, kept_from);
   return stopped_ ? Flow::kLeaving : Flow::kOn;
 }
 
