@@ -17,8 +17,6 @@
 
 namespace plcxx::sim {
 
-using namespace operand_types;
-
 struct Simulator::Functions {
   static auto OperandsOf(const Simulator& simulator, const Decoded& inst) {
     return [values = simulator.values_.data(), &inst](size_t i) {
@@ -28,12 +26,14 @@ struct Simulator::Functions {
 
 #define PLCXX_PURE(Kind, Text, Operands, Result, Spelling, Precedence, Function, Cost)                     \
   static Flow Kind(Simulator& simulator, const Decoded& inst) {                                            \
+    using namespace operand_types;                                                                         \
     simulator.values_[inst.id] = Apply(std::type_identity<Result Operands>{}, OperandsOf(simulator, inst), \
                                        [](auto... value) { return plcxx::Function(value...); });           \
     return Flow::kOn;                                                                                      \
   }
 #define PLCXX_STEP(Kind, Text, State, Operands, Result, Spelling, Function, Cost)                      \
   static Flow Kind(Simulator& simulator, const Decoded& inst) {                                        \
+    using namespace operand_types;                                                                     \
     simulator.values_[inst.id] =                                                                       \
         Apply(std::type_identity<Result Operands>{}, OperandsOf(simulator, inst), [&](auto... value) { \
           return plcxx::Function(simulator.instances_.Get<plcxx::State>(inst.payload), value...);      \
