@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -11,6 +12,7 @@ namespace plcxx::driver {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -192,6 +194,25 @@ TEST(HncCommand, ListsForTheDocumentationOfTheMachine) {
   has_line("R_ui.30. +all +plc2 +plc2");
   has_line("scans +int +5 +plc1 +plc1 +plc1");
   has_line("plc1 +plc1 +12 +1");
+}
+
+// Each of these includes the next one three times: no macro is in them.
+TEST(HncCommand, HeadersThatMultiplyAreToldAsHeaders) {
+  const Workplace work;
+  constexpr int kDepth = 12;
+  for (int i = 0; i < kDepth; ++i) {
+    const std::string next = "#include \"h" + std::to_string(i + 1) + ".h\"\n";
+    work.Write("h" + std::to_string(i) + ".h", next + next + next);
+  }
+  work.Write("h" + std::to_string(kDepth) + ".h", ";;;;;;;;;;\n");
+  work.Write("a.cld", "#include \"h0.h\"\nvoid plc1(void) { }\nvoid plc2(void) { }\n");
+  const std::string command = "cd '" + work.Path(".") + "' && " PLCXX_BINARY " check a.cld 2>errors";
+  EXPECT_NE(std::system(command.c_str()), 0);
+  EXPECT_THAT(work.Read("errors"), HasSubstr("the files have, with their headers, more than 4000000 tokens"));
+  // Clang reads on a thread of its own: where memory is over in it, the process was aborted.
+  const Ran small = work.Run("check a.cld");
+  EXPECT_THAT(small.code, AnyOf(1, 3)) << small;
+  EXPECT_THAT(small.errors, AnyOf(HasSubstr("more than 4000000 tokens"), HasSubstr("plcxx: out of memory")));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <clang/Sema/Sema.h>
 #include <pthread.h>
 
+#include <exception>
 #include <memory>
 #include <unordered_map>
 
@@ -23,22 +24,33 @@ namespace {
 /// less has to do.
 constexpr size_t kStackBytes[] = {size_t{512} << 20, size_t{128} << 20, size_t{32} << 20};
 
-/// Runs `work` to its end on a stack of its own.
+/// Runs `work` to its end on a stack of its own. What it throws, as where memory is over, is thrown here: out of a
+/// thread nothing leads but the end of the process.
 template <class Work>
 void RunOnLargeStack(Work work) {
+  std::exception_ptr thrown;
+  auto guarded = [&work, &thrown] {
+    try {
+      work();
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+  };
+  using Guarded = decltype(guarded);
   for (const size_t bytes : kStackBytes) {
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
     pthread_attr_setstacksize(&attributes, bytes);
     pthread_t thread{};
     const auto run = [](void* argument) -> void* {
-      (*static_cast<Work*>(argument))();
+      (*static_cast<Guarded*>(argument))();
       return nullptr;
     };
-    const bool started = pthread_create(&thread, &attributes, run, &work) == 0;
+    const bool started = pthread_create(&thread, &attributes, run, &guarded) == 0;
     pthread_attr_destroy(&attributes);
     if (!started) continue;
     pthread_join(thread, nullptr);
+    if (thrown) std::rethrow_exception(thrown);
     return;
   }
   work();

@@ -211,7 +211,11 @@ class Limit {
     const bool too_long =
         !token.isAnnotation() && token.getLength() > kMostCharacters && token.getLocation().isMacroID();
     if (too_long) Stop(token, "macros make a token of more than " + std::to_string(kMostCharacters) + " characters");
-    if (tokens_ > kMostTokens) Stop(token, "macros expand to more than " + std::to_string(kMostTokens) + " tokens");
+    if (tokens_ > kMostTokens) {
+      const std::string_view what =
+          token.getLocation().isMacroID() ? "macros expand to" : "the files have, with their headers,";
+      Stop(token, std::string(what) + " more than " + std::to_string(kMostTokens) + " tokens");
+    }
     if (!stopped_) return;
     // From here on every token is the last one: each argument that is being expanded ends at once, and then the file.
     // A directive still ends where its line does.
