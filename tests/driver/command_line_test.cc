@@ -112,6 +112,30 @@ TEST(CommandLine, OutputThatCannotBeWrittenIsNotDone) {
   EXPECT_EQ(work.Run("--help >/dev/full 2>/dev/null; test $? = 1").code, 0);
 }
 
+// A name that is mistyped, or lacks its extension, has the right one beside it.
+TEST(CommandLine, AFileThatIsNotThere) {
+  const Workplace work;
+  work.Write("door.plc", kGoodProgram);
+  EXPECT_THAT(work.Run("check dor.plc").errors, HasSubstr("no such file, did you mean 'door.plc' [plcxx-7]"));
+  EXPECT_THAT(work.Run("check Door.plc").errors, HasSubstr("did you mean 'door.plc'"));
+  EXPECT_THAT(work.Run("check door").errors, HasSubstr("did you mean 'door.plc'"));
+  EXPECT_THAT(work.Run("check mill.plc").errors, HasSubstr("no such file [plcxx-7]"));
+  work.Write("door.yaml", "sources: [dor.plc]\nsteps:\n- set: {I0A0 1}\n");
+  EXPECT_THAT(work.Run("test dor.yaml").errors, HasSubstr("dor.yaml: there is no such file, did you mean 'door.yaml'"));
+  EXPECT_THAT(work.Run("test door.yaml").errors,
+              HasSubstr("door.yaml:3:15: the value of 'I0A0 1' is missing\n  help: write it behind its key, a colon"));
+  work.Write("plcxx.yaml", "dialect: nc110\nsources: door.plc\nproperties: door.prp\n");
+  work.Write("door.prop", "never U4A0\n");
+  EXPECT_THAT(work.Run("check").errors, HasSubstr("there is no file 'door.prp'\n  help: did you mean 'door.prop'"));
+}
+
+TEST(CommandLine, TheEndOfAModuleAsOthersWriteIt) {
+  const Workplace work;
+  work.Write("a.pst", ":MOD PM 0\n:A I 0.0\n:= O 0.0\n:ENDMOD\n");
+  EXPECT_THAT(work.Run("check a.pst --dialect prostep").errors,
+              AllOf(HasSubstr("unknown instruction 'ENDMOD'"), HasSubstr("help: the module's end is ':END PM n'")));
+}
+
 TEST(CommandLine, WordsThatAreNoCommand) {
   const Workplace work;
   EXPECT_THAT(work.Run("sim x.plc --scenario s.yaml").errors,

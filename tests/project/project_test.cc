@@ -24,6 +24,7 @@ TEST(Project, SaysWhatAProgramIsMadeOf) {
   const Folder folder;
   folder.Write("MESSAGES", "1#A\n");
   folder.Write("test/x.yaml", "steps: []\n");
+  folder.Write("lathe.prop", "never U4A0\n");
   const Program program = folder.Only(R"(name: lathe
 dialect: nc110
 sources: [a.sym, b.plc]

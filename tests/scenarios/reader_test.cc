@@ -161,7 +161,9 @@ TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
 TEST(ScenarioReader, WrongShapesAreRefusedAtTheirPlace) {
   EXPECT_THAT(Errors("steps: {set: 1}"), ElementsAre("s.yaml:1:8: 'steps' is a list"));
   EXPECT_THAT(Errors("steps:\n- set: I0A3\n"), ElementsAre("s.yaml:2:8: 'set' is a map '{key: value}'"));
-  EXPECT_THAT(Errors("steps:\n- set: {I0A3: }\n"), ElementsAre("s.yaml:2:15: the value of 'I0A3' is missing"));
+  EXPECT_THAT(Errors("steps:\n- set: {I0A3: }\n"),
+              ElementsAre("s.yaml:2:15: the value of 'I0A3' is missing\n"
+                          "  help: write it behind its key, a colon and a blank: 'KEY: 1'"));
   EXPECT_THAT(Errors("steps:\n- set: {I0A3: [1]}\n"),
               ElementsAre("s.yaml:2:15: the value of 'I0A3' is a single word or number"));
   EXPECT_THAT(Errors("steps:\n- set: {I0A3: 1, I0A3: 0}\n"), ElementsAre("s.yaml:2:18: 'I0A3' is given twice"));

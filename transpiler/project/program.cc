@@ -96,6 +96,8 @@ class ProgramMaker {
         return;
       case Key::kProperties:
         program_.properties = Paths(value);
+        if (program_.properties.empty()) return;  // outside, which has been reported
+        for (const yaml::MarkedText& file : value.words) CheckIsThere(file);
         return;
       case Key::kPlant:
         program_.plant = OnlyFile(value);

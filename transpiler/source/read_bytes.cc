@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "transpiler/source/near_file.h"
 #include "transpiler/source/unsaved.h"
 
 namespace plcxx::source {
@@ -59,7 +60,11 @@ std::variant<std::string, LoadError> ReadBytes(const std::string& path, size_t m
     return *unsaved;
   }
   struct stat status = {};
-  if (stat(path.c_str(), &status) != 0) return FromErrno(errno);
+  if (stat(path.c_str(), &status) != 0) {
+    LoadError error = FromErrno(errno);
+    if (error.problem == LoadProblem::kMissing) error.detail += DidYouMeanFile(path);
+    return error;
+  }
   if (S_ISDIR(status.st_mode)) return LoadError{LoadProblem::kDirectory, "it is a directory"};
   const size_t size = status.st_size > 0 ? static_cast<size_t>(status.st_size) : 0;
   if (size > max_bytes) return TooLarge(max_bytes);

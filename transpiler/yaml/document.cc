@@ -8,6 +8,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "transpiler/source/near_file.h"
 #include "transpiler/support/read_file.h"
 
 namespace plcxx::yaml {
@@ -109,7 +110,7 @@ std::variant<YAML::Node, Fault> Load(const std::string& text) {
 std::variant<std::string, Fault> ReadText(const std::string& path, size_t most, std::string_view what) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) return Fault{{}, "there is no such file"};
+  if (!std::filesystem::exists(status)) return Fault{{}, "there is no such file" + source::DidYouMeanFile(path)};
   if (std::filesystem::is_directory(status))
     return Fault{{}, "a directory: name the file in it that is the " + std::string(what)};
   if (!std::filesystem::is_regular_file(status)) return Fault{{}, "not a file, but a device or a pipe"};

@@ -59,8 +59,11 @@ std::optional<MarkedText> Reader::Word(const YAML::Node& node, std::string_view 
     return std::nullopt;
   }
   if (node.IsScalar()) return MarkedText{node.Scalar(), Mark(node)};
-  Fail(Mark(node),
-       node.IsNull() ? std::string(what) + " is missing" : std::string(what) + " is a single word or number");
+  if (node.IsNull()) {
+    Fail(Mark(node), std::string(what) + " is missing", "write it behind its key, a colon and a blank: 'KEY: 1'");
+  } else {
+    Fail(Mark(node), std::string(what) + " is a single word or number");
+  }
   return std::nullopt;
 }
 
