@@ -148,6 +148,19 @@ TEST(InitCommand, BackupsCopiesAndEmptyFilesAreNoSources) {
                               HasSubstr("empty.plc           left out  it is empty")));
 }
 
+// The encodings of those behind it were told one line too early: u16.sym was cp1251.
+TEST(InitCommand, AFileThatCannotBeReadIsToldAsOne) {
+  const Workplace work;
+  work.Write("a.plc", "$\nU4A0=I0A0 ; \xA4\xA0\n");
+  work.Write("u16.sym", std::string("\xFF\xFE*\0 \0x\0\n\0", 10));
+  work.Write("w.sym", "* \xE8\xEC\xE5\xED\xE0 \xF1\xE8\xE3\xED\xE0\xEB\xEE\xE2\nA = I0A0\n");
+  const Ran init = work.Run("init --dialect nc110");
+  EXPECT_EQ(init.code, 0) << init;
+  EXPECT_THAT(init.out, AllOf(HasSubstr("a.plc               source    cp866, by its extension\n"),
+                              HasSubstr("u16.sym             source    by its extension, but it cannot be read\n"),
+                              HasSubstr("w.sym               source    cp1251, by its extension\n")));
+}
+
 TEST(InitCommand, FoldersBesideAProgramAreNamed) {
   const Workplace work;
   fs::create_directories(work.Path("mill"));

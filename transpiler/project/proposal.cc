@@ -154,6 +154,11 @@ class Finder {
     program_.why_dialect = support::Counted(most, "file") + (most == 1 ? " reads" : " read") + " like it";
   }
 
+  /// Of a file that was read: relative to the folder.
+  std::string NameIn(const std::string& path) const {
+    return fs::path(path).lexically_proximate(folder_).generic_string();
+  }
+
   bool HasExtension(const std::string& name) const {
     const std::string extension = LowerCase(fs::path(name).extension().string());
     return std::ranges::find(dialect_->extensions, extension) != dialect_->extensions.end();
@@ -234,7 +239,7 @@ class Finder {
       for (uint32_t i = 0; i < alone.sources->size(); ++i) {
         const source::FileId id(i);
         if (std::ranges::find(alone.files, id) == alone.files.end())
-          included.insert(fs::path(alone.sources->Get(id).path).lexically_proximate(folder_).generic_string());
+          included.insert(NameIn(alone.sources->Get(id).path));
       }
     }
     std::erase_if(program_.sources, [&](const std::string& source) {
@@ -295,20 +300,23 @@ class Finder {
 
   void Describe() {
     const compilation::Compilation compilation = compilation::Compile(Request(), compilation::Stage::kChecked);
+    std::map<std::string, std::string> encodings;  // of those that could be read
+    for (const source::FileId id : compilation.files) {
+      const source::File& loaded = compilation.sources->Get(id);
+      encodings[NameIn(loaded.path)] = source::Name(loaded.encoding);
+    }
     std::vector<ProposedFile> sources;
-    for (size_t i = 0; i < program_.sources.size(); ++i) {
-      ProposedFile file{program_.sources[i], "source", "", ""};
-      if (i < compilation.files.size()) {
-        const source::File& loaded = compilation.sources->Get(compilation.files[i]);
-        file.encoding = source::Name(loaded.encoding);
-      }
+    for (const std::string& name : program_.sources) {
+      ProposedFile file{name, "source", "", ""};
+      const auto encoding = encodings.find(name);
+      if (encoding != encodings.end()) file.encoding = encoding->second;
       file.reason = HasExtension(file.name) ? "by its extension" : "reads like one";
+      if (encoding == encodings.end()) file.reason += ", but it cannot be read";
       sources.push_back(std::move(file));
     }
     std::set<std::string>& loaded = program_.loaded;
     for (uint32_t i = 0; i < compilation.sources->size(); ++i)
-      loaded.insert(
-          fs::path(compilation.sources->Get(source::FileId(i)).path).lexically_proximate(folder_).generic_string());
+      loaded.insert(NameIn(compilation.sources->Get(source::FileId(i)).path));
     for (ProposedFile& file : program_.files) {
       if (file.what != "left out" || !loaded.contains(file.name)) continue;
       file.what = "included";
