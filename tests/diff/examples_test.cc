@@ -66,6 +66,16 @@ TEST(DiffExamples, OnlyWhatMattersIsSet) {
   EXPECT_EQ(item->counterexample->steps, "I0A3=1, I0A4=1, slow 1");
 }
 
+TEST(DiffExamples, ACountBehindConditions) {
+  // Each pulse needs a key that comes and goes while a fault stands, and an acknowledgement between two of them.
+  const std::string counted = "$\nU100K0=(U100K0+I0A0*/I0A1)*/I0A2\nC20I(@)=U100K0\nU4A0=(U4A0+C20R)*/I0A3\n";
+  const Diff diff = ComparedTexts(kNc110, With(counted, "200"), With(counted, "210"));
+  ExpectShown(diff, "U4A0");
+  const DiffItem* const item = ItemNamed(diff, "U4A0");
+  EXPECT_THAT(item->counterexample->steps, HasSubstr(" times ("));
+  EXPECT_THAT(item->counterexample->scenario, HasSubstr("- repeat:\n    times: 19"));
+}
+
 TEST(DiffExamples, CallsAreExpected) {
   // A counter whose modulus is out of range is a fault that the control is told.
   const std::string counter = "$\nW100K0=@\nC20I(W100K0)=I0A0\n";

@@ -93,6 +93,42 @@ steps:
   EXPECT_EQ(steps[10].name, "power_cycle");
 }
 
+TEST(ScenarioReader, StepsAreRepeated) {
+  const Scenario scenario = Parsed(R"(
+sources: [a.plc]
+steps:
+- repeat:
+    times: 3
+    steps:
+    - set: {I0A0: 1}
+    - repeat: {times: 2, steps: [{run: {slow: 5}}]}
+- repeat: {times: 0, steps: [{power_cycle: {}}]}
+- expect: {U4A0: 1}
+)");
+  std::string names;
+  uint32_t number = 0;
+  for (const ScenarioStep& step : *scenario.steps) {
+    names += step.name + " ";
+    EXPECT_EQ(step.number, ++number);
+  }
+  EXPECT_EQ(names, "set run run set run run set run run expect ");
+}
+
+TEST(ScenarioReader, RepeatedStepsThatAreNone) {
+  EXPECT_THAT(Errors("steps:\n- repeat: {times: 2, stps: []}\n"),
+              ElementsAre(testing::HasSubstr("'stps' is no key of 'repeat'; there are: times, steps")));
+  EXPECT_THAT(Errors("steps:\n- repeat: {times: 2}\n"),
+              ElementsAre(testing::HasSubstr("'repeat' needs 'times' and 'steps'")));
+  // What is wrong in a step is said once.
+  EXPECT_THAT(Errors("steps:\n- repeat: {times: 9, steps: [{wait: 1}]}\n"),
+              ElementsAre(testing::HasSubstr("'wait' is no step")));
+  EXPECT_THAT(Errors("steps:\n- repeat: {times: 300001, steps: [{power_cycle: {}}]}\n"),
+              ElementsAre(testing::HasSubstr("at most 300000 steps")));
+  std::string nested = "{power_cycle: {}}";
+  for (int i = 0; i < 9; ++i) nested = "{repeat: {times: 100, steps: [" + nested + "]}}";
+  EXPECT_THAT(Errors("steps: [" + nested + "]\n"), ElementsAre(testing::HasSubstr("may not in more")));
+}
+
 TEST(ScenarioReader, AProgramWithinIt) {
   const Scenario scenario = Parsed(R"(
 sources:
@@ -137,7 +173,7 @@ TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
       Errors("steps:\n- wait: 3\n- run: {slow: 1, hours: 2}\n"),
       ElementsAre(
           "s.yaml:2:3: 'wait' is no step; there are: set, run, expect, force, release, expect_calls, expect_messages, "
-          "power_cycle",
+          "power_cycle, repeat",
           "s.yaml:3:18: 'hours' is no key of 'run'; there are: slow, fast, ms, s"));
   EXPECT_THAT(Errors("steps:\n- exepct: {A: 1}\n"), ElementsAre(testing::HasSubstr("did you mean 'expect'")));
   // A colon that is missing, or a blank after it, makes a key or a word of the whole step.

@@ -35,6 +35,8 @@ class ScenarioReader : public yaml::Reader {
 
   std::vector<ScenarioStep> ReadSteps(const YAML::Node& node);
   std::optional<StepAction> ReadAction(const YamlEntry& entry);
+  /// Its steps, as often as it says, behind those that are there.
+  void ReadRepeat(const YamlEntry& entry, std::vector<ScenarioStep>& steps);
   std::vector<Assignment> Assignments(const YAML::Node& node, std::string_view what);
   std::vector<MarkedText> Locations(const YAML::Node& node);
   RunStep ReadRun(const YAML::Node& node);
@@ -46,6 +48,7 @@ class ScenarioReader : public yaml::Reader {
   void CheckReach(ScenarioMark mark, const std::vector<std::string>& paths);
 
   Reach reach_;
+  uint32_t repeats_ = 0;  // that what is being read stands in
   MarkedText program_, plant_;
 };
 

@@ -16,8 +16,10 @@
 namespace plcxx::scenarios {
 namespace {
 
-constexpr std::string_view kSteps[] = {"set",     "run",          "expect",          "force",
-                                       "release", "expect_calls", "expect_messages", "power_cycle"};
+constexpr std::string_view kSteps[] = {
+    "set", "run", "expect", "force", "release", "expect_calls", "expect_messages", "power_cycle", "repeat"};
+constexpr size_t kMostSteps = 300'000;  // of a scenario, each counted as often as it is repeated
+constexpr uint32_t kMostNested = 8;
 
 std::string ColonAfter(std::string_view step) {
   return "write '" + std::string(step) + ": ', with a colon and a blank, before what the step is about";
@@ -49,6 +51,10 @@ std::vector<ScenarioStep> ScenarioReader::ReadSteps(const YAML::Node& node) {
     } else if (item.IsMap() && entries.empty()) {
       Fail(step.mark, "a step without a key");
     }
+    if (!entries.empty() && entries[0].key.text == "repeat") {
+      ReadRepeat(entries[0], steps);
+      continue;
+    }
     if (!entries.empty()) {
       step.name = entries[0].key.text;
       if (std::optional<StepAction> action = ReadAction(entries[0])) step.action = std::move(*action);
@@ -56,6 +62,40 @@ std::vector<ScenarioStep> ScenarioReader::ReadSteps(const YAML::Node& node) {
     steps.push_back(std::move(step));
   }
   return steps;
+}
+
+void ScenarioReader::ReadRepeat(const YamlEntry& entry, std::vector<ScenarioStep>& steps) {
+  std::optional<uint32_t> times;
+  std::optional<std::vector<ScenarioStep>> repeated;
+  if (repeats_ == kMostNested) {
+    Fail(entry.key.mark, "'repeat' stands in " + std::to_string(kMostNested) + " others, and may not in more");
+    return;
+  }
+  ++repeats_;
+  for (const YamlEntry& part : Map(entry.value, "'repeat'")) {
+    if (part.key.text == "times") {
+      times = Number(part.value, "'times'");
+    } else if (part.key.text == "steps") {
+      repeated = ReadSteps(part.value);
+    } else {
+      RefuseKey(part.key, "'repeat'", {"times", "steps"});
+    }
+  }
+  --repeats_;
+  if (!times || !repeated) {
+    if (entry.value.IsMap() && errors().empty()) Fail(entry.key.mark, "'repeat' needs 'times' and 'steps'");
+    return;
+  }
+  if (!repeated->empty() && *times > (kMostSteps - std::min(kMostSteps, steps.size())) / repeated->size()) {
+    Fail(entry.key.mark, "a scenario has at most " + std::to_string(kMostSteps) + " steps, repeated ones counted");
+    return;
+  }
+  for (uint32_t i = 0; i < *times; ++i) {
+    for (const ScenarioStep& step : *repeated) {
+      steps.push_back(step);
+      steps.back().number = static_cast<uint32_t>(steps.size());
+    }
+  }
 }
 
 std::optional<StepAction> ScenarioReader::ReadAction(const YamlEntry& entry) {

@@ -44,6 +44,8 @@ struct CompareLimits {
 struct SetCell {
   execute::CellId old_cell, new_cell;  // either may be none
   uint64_t value = 0;
+
+  bool operator==(const SetCell&) const = default;
 };
 
 /// What is set before each period; after the last one the pair differs. It begins with power-on and all memory 0, or

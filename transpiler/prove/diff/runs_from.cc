@@ -29,6 +29,27 @@ std::vector<AimQuestion> AimQuestionsOf(const Unrolled& unrolled, const Match& m
   return questions;
 }
 
+/// Until the end of a search.
+struct TimeLeft {
+  std::chrono::steady_clock::time_point end;
+
+  int64_t Ms() const {
+    using std::chrono::milliseconds;
+    return std::chrono::duration_cast<milliseconds>(end - std::chrono::steady_clock::now()).count();
+  }
+  bool IsLate() const { return Ms() <= 0; }
+};
+
+/// How `wanted` becomes true; none: it was not found out, or cannot be.
+std::optional<Run> RunIn(const terms::Terms& terms, solver::Solver& solver, const Unrolled& unrolled,
+                         terms::TermId wanted, uint32_t question_ms, const TimeLeft& left) {
+  const auto limit = solver::Limit::Effort(question_ms).Within(static_cast<uint64_t>(std::max<int64_t>(1, left.Ms())));
+  if (solver.Check({&wanted, 1}, limit) != solver::Answer::kPossible) return std::nullopt;
+  const std::vector<terms::TermId> cone = terms::ConeOf(terms, {&wanted, 1});
+  const std::vector<uint64_t> values = solver::ModelValues(terms, solver, cone);
+  return unrolled.RunOf(terms::Justification(terms, cone, values).ReasonsFor(wanted), values);
+}
+
 }  // namespace
 
 void RunsFrom(const UnrolledVersions& versions, const SeenState& state, const std::vector<execute::CellId>& sought,
@@ -37,11 +58,8 @@ void RunsFrom(const UnrolledVersions& versions, const SeenState& state, const st
   terms::Terms terms;
   const solver::LoadedSolver loaded = solver::LoadSolver(terms);
   if (!loaded.solver) return;
-  const auto rest_ms = [&limits] {
-    using std::chrono::milliseconds;
-    return std::chrono::duration_cast<milliseconds>(limits.end - std::chrono::steady_clock::now()).count();
-  };
-  const auto is_late = [&rest_ms] { return rest_ms() <= 0; };
+  const TimeLeft left{limits.end};
+  const auto is_late = [&left] { return left.IsLate(); };
   Unrolled unrolled(terms, versions, InputsChange::kOnce);
   unrolled.BeginAt(state.value, state.now_ms);
   std::vector<execute::CellId> open = sought;
@@ -54,16 +72,41 @@ void RunsFrom(const UnrolledVersions& versions, const SeenState& state, const st
       const terms::TermId differ = terms.Ne(question.old_value, question.new_value);
       if (terms.IsFalse(differ) || !is_open(question.cell)) continue;
       ++asked;
-      const auto limit =
-          solver::Limit::Effort(limits.question_ms).Within(static_cast<uint64_t>(std::max<int64_t>(1, rest_ms())));
-      if (loaded.solver->Check({&differ, 1}, limit) != solver::Answer::kPossible) continue;
-      const std::vector<terms::TermId> cone = terms::ConeOf(terms, {&differ, 1});
-      const std::vector<uint64_t> values = solver::ModelValues(terms, *loaded.solver, cone);
-      found(unrolled.RunOf(terms::Justification(terms, cone, values).ReasonsFor(differ), values));
+      const std::optional<Run> run = RunIn(terms, *loaded.solver, unrolled, differ, limits.question_ms, left);
+      if (!run) continue;
+      found(*run);
       std::erase(open, question.cell);
     }
     std::erase_if(open, [&](execute::CellId cell) { return !is_open(cell); });
   }
+}
+
+std::optional<Run> RunTo(const UnrolledVersions& versions, const SeenState& state, const WantedNumber& wanted,
+                         const AimLimits& limits) {
+  terms::Terms terms;
+  const solver::LoadedSolver loaded = solver::LoadSolver(terms);
+  if (!loaded.solver) return std::nullopt;
+  const TimeLeft left{limits.end};
+  Unrolled unrolled(terms, versions, InputsChange::kOnce);
+  unrolled.BeginAt(state.value, state.now_ms);
+  size_t asked = 0;
+  for (uint32_t period = 0; period < limits.most_periods && asked < limits.most_questions; ++period) {
+    if (!unrolled.Advance([&left] { return left.IsLate(); }) || left.IsLate()) return std::nullopt;
+    terms::TermId number;
+    for (const execute::CellId cell : wanted.cells) {
+      const terms::TermId part = unrolled.Old(cell);
+      number = number.valid() ? terms.Concat(part, number) : part;
+    }
+    terms::TermId is_wanted = terms.Const(0, 1);
+    for (const uint64_t value : wanted.values)
+      is_wanted = terms.Or(is_wanted, terms.Eq(number, terms.Const(value, static_cast<uint8_t>(terms.Width(number)))));
+    if (wanted.is_none) is_wanted = terms.Not(is_wanted);
+    if (terms.IsFalse(is_wanted)) continue;
+    ++asked;
+    if (std::optional<Run> run = RunIn(terms, *loaded.solver, unrolled, is_wanted, limits.question_ms, left))
+      return run;
+  }
+  return std::nullopt;
 }
 
 }  // namespace plcxx::prove::diff

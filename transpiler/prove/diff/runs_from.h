@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "transpiler/prove/diff/unrolled.h"
@@ -31,5 +32,15 @@ struct AimLimits {
 void RunsFrom(const UnrolledVersions& versions, const SeenState& state, const std::vector<execute::CellId>& sought,
               const AimLimits& limits, const std::function<bool(execute::CellId)>& is_open,
               const std::function<void(const Run&)>& found);
+
+/// A number of the old version, as its cells from the lowest, and what it shall be.
+struct WantedNumber {
+  std::vector<execute::CellId> cells;
+  std::vector<uint64_t> values;  // one of them, or none of them
+  bool is_none = false;
+};
+/// The shortest run after which it is; none: it was not found.
+std::optional<Run> RunTo(const UnrolledVersions& versions, const SeenState& state, const WantedNumber& wanted,
+                         const AimLimits& limits);
 
 }  // namespace plcxx::prove::diff

@@ -286,6 +286,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       search->RunWideFromMoments(open(), Clock::now() + (wide_end - Clock::now()) / 2, runs);
       search->RunWide(open(), wide_end, runs);
     };
+    const auto counts_share = [&search] { return search->has_changed_constants() ? kSearchShare : 4 * kSearchShare; };
     switch (effort) {
       case Effort::kScenarios:
         if (!std::exchange(scenarios_are_run, true)) search->RunScenarios(part(kScenariosShare), runs);
@@ -296,15 +297,19 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
         search->Run(open(), part(kQuickSearchShare), runs);
         break;
       case Effort::kThorough:
+        if (search->has_changed_constants()) search->RunCounts(open(), part(kSearchShare), runs);
         run_both(open(), part(kSearchShare), true);
         ++round;
         search->Follow(sought.runs, part(kSearchShare), runs);
         run_wide(part(kSearchShare));
         search->Run(open(), part(kSearchShare), runs);
+        search->RunCounts(open(), part(counts_share()), runs);
         run_both(open(), compare_end);
         break;
       case Effort::kLasting: {
         search->Follow(sought.runs, compare_end, runs);
+        const auto counts_ms = std::chrono::milliseconds(most_ms / (counts_share() / kSearchShare * 3));
+        search->RunCounts(open(), std::min(compare_end, Clock::now() + counts_ms), runs);
         const Clock::time_point lasting_end = std::min(compare_end, Clock::now() + std::chrono::milliseconds(most_ms));
         // Where much is open it is found in many runs at once, or hardly.
         const bool is_many = open().size() > kMostSought;

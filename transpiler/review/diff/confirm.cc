@@ -68,7 +68,7 @@ void ConfirmCompiled(DiffSide& old_side, DiffSide& new_side, const DiffOptions& 
   for (DiffItem& item : diff.items) {
     if (!IsReplayed(item)) continue;
     const Clock::time_point begin = Clock::now();
-    if (begin + greatest >= end) {
+    if (begin + std::max(greatest, 2 * item.counterexample->cost) >= end) {
       diff.not_compiled = "the time was over";
       return;
     }

@@ -55,6 +55,7 @@ struct Counterexample {
   std::string old_value, new_value;  // of the item after the last step
   bool from_state = false;           // it begins with a state that is set; nobody knows whether the machine comes there
   Replay replay = Replay::kSideBySide;
+  std::chrono::steady_clock::duration cost{};  // of running both versions beside each other
 };
 
 /// What both versions declare, in words: "10 ms" and "40 ms".

@@ -6,6 +6,7 @@
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/op.h"
 #include "transpiler/ir/place_names.h"
+#include "transpiler/ir/uses.h"
 #include "transpiler/scenarios/element_names.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 
@@ -190,14 +191,12 @@ std::string CellWords::MeaningOf(const CellWord& word) const {
 
 namespace {
 
-using Heads = std::map<ir::StatementId, std::set<ir::StatementId>>;
-
 /// Walks all routines with the statement that owns the region.
 class HeadWalk {
  public:
   explicit HeadWalk(const ir::Program& program) : program_(program) {}
 
-  Heads Run() {
+  StatementHeads Run() {
     for (uint32_t i = 0; i < program_.routines.size(); ++i) {
       routine_ = ir::RoutineId(i);
       const ir::Routine& routine = program_.routines[routine_];
@@ -234,15 +233,52 @@ class HeadWalk {
 
   const ir::Program& program_;
   ir::RoutineId routine_;
-  Heads heads_;
+  StatementHeads heads_;
   std::map<ir::StatementId, ir::RoutineId> outermost_;
   std::map<ir::RoutineId, std::set<ir::StatementId>> callers_;
 };
 
 }  // namespace
 
-std::map<ir::StatementId, std::set<ir::StatementId>> HeadsOf(const Version& version) {
-  return HeadWalk(*version.program).Run();
+StatementHeads HeadsOf(const Version& version) { return HeadWalk(*version.program).Run(); }
+
+StatementHeads NeededBy(const Version& version) {
+  const ir::Program& program = *version.program;
+  StatementHeads needed = HeadsOf(version);
+  std::vector<ir::StatementId> statement_of(program.insts.size());
+  const auto walk = [&](const auto& self, ir::RegionId region, ir::StatementId statement) -> void {
+    if (!region.valid()) return;
+    for (const ir::InstId id : program.regions[region].insts) {
+      const ir::Inst& inst = program[id];
+      if (inst.op == ir::OpKind::kStatement) statement = ir::StatementId(inst.payload);
+      statement_of[id.index] = statement;
+      ir::ForEachUse(program, inst, [&](uint32_t used) {
+        const ir::StatementId source = statement_of[used];
+        if (source.valid() && statement.valid() && source != statement) needed[statement].insert(source);
+      });
+      if (ir::Info(inst.op).effect != ir::Effect::kControl) continue;
+      for (const ir::RegionId owned : ir::OwnedRegions(program, inst)) self(self, owned, statement);
+    }
+  };
+  for (const ir::Routine& routine : program.routines) {
+    for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue})
+      walk(walk, region, ir::StatementId());
+  }
+  return needed;
+}
+
+std::set<ir::StatementId> WithNeeded(const StatementHeads& needed, const std::set<ir::StatementId>& statements) {
+  std::set<ir::StatementId> all = statements;
+  std::vector<ir::StatementId> open(statements.begin(), statements.end());
+  while (!open.empty()) {
+    const auto of = needed.find(open.back());
+    open.pop_back();
+    if (of == needed.end()) continue;
+    for (const ir::StatementId one : of->second) {
+      if (all.insert(one).second) open.push_back(one);
+    }
+  }
+  return all;
 }
 
 std::vector<StatementAccess> AccessesOf(const Version& version) { return AccessWalk(version).Run(); }

@@ -54,6 +54,11 @@ std::vector<StatementAccess> AccessesOf(const prove::machine::Version& version);
 
 /// By statement: those that decide whether it is executed, the heads of the blocks around it and the calls of its
 /// routine; of those again to be asked.
-std::map<ir::StatementId, std::set<ir::StatementId>> HeadsOf(const prove::machine::Version& version);
+using StatementHeads = std::map<ir::StatementId, std::set<ir::StatementId>>;
+StatementHeads HeadsOf(const prove::machine::Version& version);
+/// By statement: its heads, and the statements that computed what it uses, as those of an accumulator before it.
+StatementHeads NeededBy(const prove::machine::Version& version);
+/// The statements with all that they need, and what that needs.
+std::set<ir::StatementId> WithNeeded(const StatementHeads& needed, const std::set<ir::StatementId>& statements);
 
 }  // namespace plcxx::review::diff

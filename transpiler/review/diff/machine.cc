@@ -98,7 +98,24 @@ void DiffMachine::SetWord(const std::string& text, const std::string& value) {
   if (bits) control_.Set(*location, *bits);
 }
 
+std::optional<uint64_t> DiffMachine::ValueOfWord(const std::string& text) const {
+  const std::optional<dialects::Location> location = side_.compilation.dialect->locate(names_, text);
+  if (!location || location->absent || location->cell || location->text_input || !location->bits.empty() ||
+      !execute::IsInside(program_, location->place))
+    return std::nullopt;
+  const std::vector<execute::CellId> cells = execute::CellsOf(program_, version_.cells, location->place);
+  if (cells.size() == 1) return ValueOf(cells.front());
+  uint64_t value = 0;
+  for (size_t i = 0; i < cells.size() && i < 64; ++i) value |= ValueOf(cells[i]) << i;
+  return value;
+}
+
 bool DiffMachine::Apply(const Stimulus& stimulus, execute::CellId prove::diff::SetCell::* cell) {
+  for (uint32_t i = 0; !stimulus.repeated.empty() && i < stimulus.times; ++i) {
+    for (const Stimulus& one : stimulus.repeated) {
+      if (!Apply(one, cell)) return false;
+    }
+  }
   if (stimulus.power_cycle) {
     control_.PowerOff();
     clock_.PowerCycle();

@@ -35,6 +35,8 @@ class DiffMachine {
   uint64_t Seen(execute::CellId cell) const;
   /// As Seen, and of memory that no picture shows, too; of calls 0.
   uint64_t ValueOf(execute::CellId cell) const;
+  /// Of memory as a scenario names it; none: it is something else, or not there.
+  std::optional<uint64_t> ValueOfWord(const std::string& location) const;
   uint64_t time_ms() const { return clock_.time_ms(); }
   /// The calls between the last two pictures.
   const std::vector<sim::HostEvent>& events() const { return events_; }

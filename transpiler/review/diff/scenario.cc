@@ -170,6 +170,7 @@ Stimuli Nameable(const DiffSide& old_side, const DiffSide& new_side, const Count
       const CellWord word = WordOfBoth(request, input.old_cell);
       return HasNoName(word) || !IsKnownToOld(old_side, request, ScenarioName(old_side, new_side, request, word));
     });
+    stimulus.repeated = Nameable(old_side, new_side, request, std::move(stimulus.repeated));
   }
   return stimuli;
 }
@@ -198,7 +199,7 @@ std::vector<Candidate> Candidates(const DiffSide& old_side, const DiffSide& new_
   }
   if (shortest != nullptr && shortest->steps != 0) {
     const Stimuli& run = request.runs.runs[shortest->run];
-    candidates.push_back({Stimuli(run.begin(), run.begin() + shortest->steps)});
+    candidates.push_back({Folded(Joined(Stimuli(run.begin(), run.begin() + shortest->steps)))});
   }
   // Better one that a scenario can say; else any.
   const size_t count = candidates.size();
@@ -248,12 +249,21 @@ SeenDifference FindSeen(const CounterexampleRequest& request, const Ends& ends) 
   return seen;
 }
 
-/// None: the run sets what a scenario has no name for.
+/// None: the run sets what a scenario has no name for. `machine`: the old version where the run begins.
 std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_side,
-                                  const CounterexampleRequest& request, const Stimuli& stimuli) {
+                                  const CounterexampleRequest& request, const Stimuli& stimuli, DiffMachine& machine) {
   WrittenSteps written;
-  DiffMachine machine(old_side, request.old_version);
   for (const Stimulus& stimulus : stimuli) {
+    if (!stimulus.repeated.empty()) {
+      // As it is written for the first time it has to be right for all others.
+      const std::optional<WrittenSteps> once = Write(old_side, new_side, request, stimulus.repeated, machine);
+      if (!once) return std::nullopt;
+      Stimulus rest = stimulus;
+      --rest.times;
+      machine.Apply(rest, &prove::diff::SetCell::old_cell);
+      written.AddRepeated(*once, stimulus.times);
+      continue;
+    }
     Stimulus after_power = stimulus;
     if (stimulus.power_cycle) {
       machine.Apply({.inputs = {}, .words = {}, .power_cycle = true}, &prove::diff::SetCell::old_cell);
@@ -336,13 +346,18 @@ std::shared_ptr<const ShownRun> Show(const DiffSide& old_side, const DiffSide& n
     run->ends.old_machine.Apply(stimulus, &prove::diff::SetCell::old_cell);
     run->ends.new_machine.Apply(stimulus, &prove::diff::SetCell::new_cell);
   };
-  for (const Stimulus& stimulus : run->stimuli) {
-    Stimulus after_power = stimulus;
-    if (std::exchange(after_power.power_cycle, false)) apply({.inputs = {}, .words = {}, .power_cycle = true});
-    if (set_as == SetAs::kWords && !stimulus.inputs.empty())
-      after_power.inputs = WholeWords(request, stimulus.inputs, run->ends.old_machine);
-    apply(after_power);
-  }
+  const auto show = [&](const auto& self, const Stimuli& steps) -> void {
+    for (const Stimulus& stimulus : steps) {
+      for (uint32_t i = 0; !stimulus.repeated.empty() && i < stimulus.times; ++i) self(self, stimulus.repeated);
+      if (!stimulus.repeated.empty()) continue;
+      Stimulus after_power = stimulus;
+      if (std::exchange(after_power.power_cycle, false)) apply({.inputs = {}, .words = {}, .power_cycle = true});
+      if (set_as == SetAs::kWords && !stimulus.inputs.empty())
+        after_power.inputs = WholeWords(request, stimulus.inputs, run->ends.old_machine);
+      apply(after_power);
+    }
+  };
+  show(show, run->stimuli);
   run->ends.old_machine.Look();
   run->ends.new_machine.Look();
   run->cost = std::chrono::steady_clock::now() - begin;
@@ -351,8 +366,9 @@ std::shared_ptr<const ShownRun> Show(const DiffSide& old_side, const DiffSide& n
 
 Counterexample Describe(DiffSide& old_side, DiffSide& new_side, const CounterexampleRequest& request,
                         const ShownRun& run, const DiffOptions& options, ExampleBudget& budget) {
-  Counterexample example{.from_state = run.from_state};
-  const std::optional<WrittenSteps> steps = Write(old_side, new_side, request, run.stimuli);
+  Counterexample example{.from_state = run.from_state, .cost = run.cost};
+  DiffMachine machine(old_side, request.old_version);
+  const std::optional<WrittenSteps> steps = Write(old_side, new_side, request, run.stimuli, machine);
   const std::optional<std::string> expectation = Expectation(old_side, new_side, request, run.ends, example);
   if (!steps) return example;
   example.steps = steps->line;
@@ -363,8 +379,9 @@ Counterexample Describe(DiffSide& old_side, DiffSide& new_side, const Counterexa
                : "# " + request.name + ": " + example.old_value + " in the old version, " + example.new_value;
   example.scenario = heading + " in the new one.\n" + Heading(old_side, options) + "steps:\n" + steps->scenario + "- " +
                      *expectation + "\n";
-  // To run it once more costs about the same.
-  if (std::chrono::steady_clock::now() + run.cost >= budget.all_end) {
+  // To run it once more on each version costs more than both together did.
+  constexpr int kReplays = 3;
+  if (std::chrono::steady_clock::now() + kReplays * run.cost >= budget.all_end) {
     example.scenario.clear();
     return example;
   }
@@ -393,7 +410,7 @@ std::optional<Counterexample> FindCounterexample(DiffSide& old_side, DiffSide& n
   for (Candidate& candidate : Candidates(old_side, new_side, request)) {
     if (!shows(candidate.stimuli, budget.last_end)) continue;
     --budget.left;
-    Stimuli shortened = shortener.Shorten(std::move(candidate.stimuli));
+    Stimuli shortened = Folded(shortener.Shorten(std::move(candidate.stimuli)));
     std::shared_ptr<const ShownRun> run =
         Show(old_side, new_side, request, shortened, candidate.from_state, SetAs::kWords);
     if (!differs(*run)) {

@@ -82,7 +82,9 @@ void DirectedSearch::GoBack() {
 void DirectedSearch::Compare(RandomRuns& result) {
   std::vector<CellId> differ;
   const std::vector<uint8_t>&old_picture = old_machine_.picture(), &new_picture = new_machine_.picture();
+  differs_now_ = false;
   const auto add = [&](CellId cell) {
+    differs_now_ = true;
     if (!result.difference_of.contains(cell)) differ.push_back(cell);
   };
   for (const Compared& compared : compared_) {
@@ -145,6 +147,7 @@ bool DirectedSearch::Step(const Stimulus& stimulus, RandomRuns& result) {
   };
   // All but the first piece only let time pass.
   stimuli_.push_back(stimulus);
+  LookAtCounters();
   Stimulus piece = stimulus;
   const bool waits = stimulus.ms != 0;
   const uint32_t count = waits ? stimulus.ms : stimulus.slow != 0 ? stimulus.slow : stimulus.fast;
@@ -166,6 +169,7 @@ bool DirectedSearch::Step(const Stimulus& stimulus, RandomRuns& result) {
     piece.words.clear();
     piece.power_cycle = false;
   }
+  NoteAdvances();
   const bool has_first = HasFirstValue();
   if (signatures_.size() < kMostSignatures && signatures_.insert(Signature()).second) {
     Keep(Kept::kNew);
@@ -322,12 +326,8 @@ void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, Rand
   const Clock::time_point limit = std::min(end_, begin + std::max(kMostForOne, (end_ - begin) / 3));
   moment.is_asked = true;
   GoTo(moment);
-  const auto value = [this](prove::diff::Which which, CellId cell) {
-    return (which == prove::diff::Which::kOld ? old_machine_ : new_machine_).ValueOf(cell);
-  };
   // The moment may have gone when others are kept.
   const Moment from = Here();
-  const uint64_t now_ms = old_machine_.time_ms();
   const auto repeat = [&](const prove::diff::Run& run) {
     GoTo(from);
     Repeat(run, period_ms_, result);
@@ -339,14 +339,8 @@ void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, Rand
     limits.question_ms = kQuestionOfManyMs;
   }
   prove::diff::RunsFrom(
-      {.old_version = old_version_,
-       .new_version = new_version_,
-       .match = match_,
-       .old_uses = old_uses_,
-       .new_uses = new_uses_,
-       .requests = {}},
-      {.value = value, .now_ms = now_ms}, sought, limits,
-      [&result](CellId cell) { return !result.difference_of.contains(cell); }, repeat);
+      Unrollable(), Seen(), sought, limits, [&result](CellId cell) { return !result.difference_of.contains(cell); },
+      repeat);
   if (!Late()) return;
   // To be asked again when there is more time.
   GoTo(from);
@@ -365,18 +359,30 @@ void DirectedSearch::Repeat(const prove::diff::Run& run, uint32_t period_ms, Ran
   }
 }
 
+prove::diff::UnrolledVersions DirectedSearch::Unrollable() const {
+  return {.old_version = old_version_,
+          .new_version = new_version_,
+          .match = match_,
+          .old_uses = old_uses_,
+          .new_uses = new_uses_,
+          .requests = {}};
+}
+
+prove::diff::SeenState DirectedSearch::Seen() const {
+  return {.value =
+              [this](prove::diff::Which which, CellId cell) {
+                return (which == prove::diff::Which::kOld ? old_machine_ : new_machine_).ValueOf(cell);
+              },
+          .now_ms = old_machine_.time_ms()};
+}
+
 prove::diff::WideRuns& DirectedSearch::Wide() {
   if (!wide_) {
     // What was not executed in time would be of no use later either: a little more is better than nothing for good.
     const Time now = std::chrono::steady_clock::now();
-    wide_.emplace(
-        prove::diff::UnrolledVersions{.old_version = old_version_,
-                                      .new_version = new_version_,
-                                      .match = match_,
-                                      .old_uses = old_uses_,
-                                      .new_uses = new_uses_,
-                                      .requests = prove::diff::MatchedRequests(old_version_, new_version_, match_)},
-        cells_, end_ + (end_ - now) / 2);
+    prove::diff::UnrolledVersions versions = Unrollable();
+    versions.requests = prove::diff::MatchedRequests(old_version_, new_version_, match_);
+    wide_.emplace(std::move(versions), cells_, end_ + (end_ - now) / 2);
   }
   return *wide_;
 }
@@ -403,11 +409,7 @@ void DirectedSearch::RunWideFromMoments(const std::vector<CellId>& sought, Time 
   starts.visit = [&](size_t start, const std::function<void(const prove::diff::SeenState&)>& use) {
     GoTo(*moments[start]);
     moments[start]->is_spread = true;
-    use({.value =
-             [this](prove::diff::Which which, CellId cell) {
-               return (which == prove::diff::Which::kOld ? old_machine_ : new_machine_).ValueOf(cell);
-             },
-         .now_ms = old_machine_.time_ms()});
+    use(Seen());
   };
   Wide().SearchFrom(
       starts, sought, end, [&result](CellId cell) { return !result.difference_of.contains(cell); },

@@ -47,6 +47,11 @@ class DirectedSearch {
   /// The same from the moments that are kept: where that was not done yet each input near the change is changed there,
   /// one by one, and held; then several are, of all moments.
   void RunWideFromMoments(const std::vector<execute::CellId>& sought, Time end, RandomRuns& result);
+  /// What was seen to advance a number is done again and again, as far as the programs have constants that it may be
+  /// compared with: farther at each call.
+  void RunCounts(const std::vector<execute::CellId>& sought, Time end, RandomRuns& result);
+  /// Whether the versions have different constants, so that a limit of a count is another one, perhaps.
+  bool has_changed_constants() const { return has_changed_constants_; }
   /// The moments that are kept, as one version saw them.
   void ForEachSeenState(prove::diff::Which which,
                         const std::function<void(const prove::invariants::CellValues&, uint64_t now_ms)>& visit);
@@ -69,6 +74,35 @@ class DirectedSearch {
     bool is_spread = false;              // each input near the change was changed there
   };
   using Moments = std::vector<std::shared_ptr<Moment>>;
+  /// A number that the program writes, where the picture of the old version has it.
+  struct Counter {
+    uint32_t at = 0, new_at = 0;  // its lowest byte
+    uint32_t bytes = 0;
+    bool is_big = false;                      // the other bytes come before it
+    uint32_t rank = 0;                        // 0: the changed statements read it
+    std::vector<execute::CellId> cells = {};  // of the old version, from the lowest
+    bool is_asked = false;                    // what advances it
+    uint64_t before = 0, magnitudes = 0;
+    size_t pulses = 0;
+
+    uint64_t Value(const std::vector<uint8_t>& picture, uint32_t lowest) const;
+  };
+  /// A run at whose end a number went on by a few.
+  struct Pulse {
+    size_t counter = 0;
+    Stimuli run;
+  };
+  /// Steps that advance it each time, and how often that was done.
+  struct Counting {
+    size_t counter = 0;
+    uint64_t advance = 0;
+    std::shared_ptr<Moment> at;
+    Stimuli cycle;
+    uint64_t done = 0;
+    uint32_t stops = 0;  // in a row
+    bool is_over = false;
+    bool differs = false;  // something does where it is
+  };
   /// Why a moment is kept.
   enum class Kept : uint8_t { kDiffers, kNew, kOnTheWay, kBetweenSteps };
 
@@ -76,9 +110,13 @@ class DirectedSearch {
   void ReadScenarios();
   void SetKnown(const std::pair<std::string, std::string>& word, Stimulus& stimulus) const;
   void MakePlan(const std::vector<execute::CellId>& cells);
-  void FindInputs();
+  void FindInputs(bool with_needed);
   void EndAt(Time end);
   prove::diff::WideRuns& Wide();
+  /// The versions for a solver that looks ahead, without what the control clears.
+  prove::diff::UnrolledVersions Unrollable() const;
+  /// Where both are now.
+  prove::diff::SeenState Seen() const;
   bool Late() const { return std::chrono::steady_clock::now() >= end_; }
   void GoTo(const Moment& moment);
   Moment Here() const;
@@ -103,6 +141,28 @@ class DirectedSearch {
   /// Asks the solver what has to be set at the moment, and does that.
   void Aim(Moment& moment, const std::vector<execute::CellId>& sought, RandomRuns& result);
   void Disturb(const Input& input, Stimulus& stimulus);
+  void FindCounters();
+  /// Before a step, and what it advanced.
+  void LookAtCounters();
+  void NoteAdvances();
+  /// Both versions do it, and are looked at.
+  bool Apply(const Stimulus& stimulus);
+  /// What it will set, as it is now.
+  Stimulus Undone(const Stimulus& stimulus) const;
+  /// What may advance a number once more, shorter ways first; both versions are at the end of its run after that.
+  std::vector<Stimuli> PulsesOf(const Pulse& pulse);
+  /// Asks the solver what advances the numbers near the change that were not seen to advance.
+  void AimAtCounters(RandomRuns& result);
+  /// How far the steps take a number each time, if it is always as far; else 0.
+  uint64_t AdvanceBy(const Stimuli& cycle, const Counter& counter, const Moment& begin);
+  void FindCounting(const Pulse& pulse);
+  void FindCountings(Time end);
+  uint64_t ValueIn(const Counter& counter) const { return counter.Value(old_machine_.picture(), counter.at); }
+  bool IsFarFromConstants(uint64_t value, uint64_t advance, uint32_t bytes) const;
+  /// Many pulses, and one look; false: the number did not go on as it should, and nothing was done.
+  bool CountAtOnce(Counting& counting, RandomRuns& result);
+  void CountOn(Counting& counting, RandomRuns& result);
+  void CompareCounted(Counting& counting, RandomRuns& result);
 
   const DiffSide& old_side_;
   const DiffSide& new_side_;
@@ -121,6 +181,11 @@ class DirectedSearch {
   /// What that is computed from, and so on, without what anybody may set; by old cell which magnitudes were seen.
   std::map<execute::CellId, uint64_t> seen_behind_;
   std::vector<uint64_t> constants_;
+  std::vector<Counter> counters_;
+  std::vector<Pulse> pulses_;
+  std::vector<Counting> countings_;
+  uint64_t most_counted_ = 0;
+  bool has_changed_constants_ = false;
   std::vector<uint32_t> waits_ms_;
   std::vector<Stimuli> known_;
   std::set<uint64_t> signatures_;
@@ -137,6 +202,7 @@ class DirectedSearch {
   uint32_t pass_periods_ = 1;                                 // of a whole slow pass
   std::chrono::steady_clock::duration searched_{}, aimed_{};  // time that both ways took
   bool has_new_difference_ = false;
+  bool differs_now_ = false;            // by the last comparison
   std::vector<execute::CellId> cells_;  // what is looked at
   std::optional<prove::diff::WideRuns> wide_;
   terms::Random random_{0x8EBC6AF09C88C6E3};

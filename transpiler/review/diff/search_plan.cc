@@ -28,11 +28,15 @@ std::set<ir::StatementId> ChangedIn(const DiffSide& side, const DiffSide& other)
   return changed;
 }
 
-/// What is read by the statements and by those that write what they read, and so on.
+/// What is read by the statements, by those that these need, if that is wanted, and by those that write what all of
+/// these read, and so on.
 class ReadCells {
  public:
-  ReadCells(const Version& version, const std::set<ir::StatementId>& statements)
-      : accesses_(AccessesOf(version)), read_(version.cells.count), statements_(statements) {
+  ReadCells(const Version& version, const std::set<ir::StatementId>& statements, bool with_needed)
+      : accesses_(AccessesOf(version)),
+        needed_(with_needed ? NeededBy(version) : StatementHeads()),
+        read_(version.cells.count),
+        statements_(WithNeeded(needed_, statements)) {
     AddReads();
   }
 
@@ -43,7 +47,7 @@ class ReadCells {
       if (std::any_of(read_.begin() + access.begin, read_.begin() + access.end, [](bool is_read) { return is_read; }))
         writers.insert(access.statement);
     }
-    statements_ = std::move(writers);
+    statements_ = WithNeeded(needed_, writers);
     AddReads();
   }
   bool Has(CellId cell) const { return read_[cell.index]; }
@@ -57,6 +61,7 @@ class ReadCells {
   }
 
   std::vector<StatementAccess> accesses_;
+  StatementHeads needed_;
   std::vector<bool> read_;
   std::set<ir::StatementId> statements_;
 };
@@ -89,8 +94,11 @@ DirectedSearch::DirectedSearch(const DiffSide& old_side, const DiffSide& new_sid
   }
   ReadScenarios();
   MakePlan(cells);
-  FindInputs();
+  FindInputs(false);
+  // It is computed in other statements, or decided in others whether they are executed.
+  if (read_by_changed_.empty() || near_.empty()) FindInputs(true);
   const ChangedConstants changed = FindChangedConstants(old_version, new_version);
+  has_changed_constants_ = changed.are_any;
   waits_ms_ = {100, 500, 1000, 3000, 10'000};
   for (const uint32_t ms : changed.times_ms) {
     if (ms <= 60'000) waits_ms_.push_back(ms);
@@ -105,6 +113,7 @@ DirectedSearch::DirectedSearch(const DiffSide& old_side, const DiffSide& new_sid
     }
   }
   constants_.assign(constants.begin(), constants.end());
+  FindCounters();
   size_t bytes = 0;
   for (const ir::Program* const program : {&old_side.whole, &new_side.whole}) {
     for (const ir::Space& space : program->spaces) bytes += 3 * size_t{space.bytes};
@@ -199,10 +208,14 @@ void DirectedSearch::MakePlan(const std::vector<CellId>& cells) {
   for (auto& [at, compared] : bytes) compared_.push_back(std::move(compared));
 }
 
-void DirectedSearch::FindInputs() {
+void DirectedSearch::FindInputs(bool with_needed) {
+  for (std::vector<Input>* const inputs : {&inputs_, &behind_, &near_}) inputs->clear();
+  requests_.clear();
+  read_by_changed_.clear();
+  seen_behind_.clear();
   const std::vector<SetCell> all = InputsOf(old_version_, new_version_, match_);
-  ReadCells old_read(old_version_, ChangedIn(old_side_, new_side_)),
-      new_read(new_version_, ChangedIn(new_side_, old_side_));
+  ReadCells old_read(old_version_, ChangedIn(old_side_, new_side_), with_needed),
+      new_read(new_version_, ChangedIn(new_side_, old_side_), with_needed);
   const auto is_read = [&](CellId old_cell) {
     const CellId new_cell = match_.new_of_old[old_cell.index];
     return old_read.Has(old_cell) || (new_cell.valid() && new_read.Has(new_cell));

@@ -24,14 +24,28 @@ std::vector<Set> Merged(std::vector<Set> earlier, const std::vector<Set>& later,
   return earlier;
 }
 
+/// All that a stimulus sets, in one: the last of what it repeats wins.
+Stimulus SetBy(const Stimulus& stimulus) {
+  Stimulus all{.inputs = stimulus.inputs, .words = stimulus.words};
+  for (const Stimulus& repeated : stimulus.repeated) {
+    const Stimulus of_it = SetBy(repeated);
+    all.inputs = Merged(std::move(all.inputs), of_it.inputs, &prove::diff::SetCell::old_cell);
+    all.words = Merged(std::move(all.words), of_it.words, &std::pair<std::string, std::string>::first);
+  }
+  return all;
+}
+
 /// The steps but for those in [begin, end): what these set goes to the next one that is left.
 Stimuli Without(const Stimuli& stimuli, size_t begin, size_t end) {
   Stimuli rest(stimuli.begin(), stimuli.begin() + static_cast<std::ptrdiff_t>(begin));
   Stimulus carried;
   for (size_t step = begin; step < stimuli.size(); ++step) {
     const bool carries = step <= end && step > begin;
-    Stimulus stimulus = stimuli[step];
-    if (carries) {
+    Stimulus stimulus = step < end ? SetBy(stimuli[step]) : stimuli[step];
+    const bool has_carried = !carried.inputs.empty() || !carried.words.empty();
+    if (carries && !stimulus.repeated.empty() && has_carried) {
+      rest.push_back(std::exchange(carried, {}));
+    } else if (carries) {
       stimulus.inputs = Merged(std::move(carried.inputs), stimulus.inputs, &prove::diff::SetCell::old_cell);
       stimulus.words = Merged(std::move(carried.words), stimulus.words, &std::pair<std::string, std::string>::first);
     }
@@ -42,6 +56,10 @@ Stimuli Without(const Stimuli& stimuli, size_t begin, size_t end) {
     }
   }
   return rest;
+}
+
+bool IsTimeAlone(const Stimulus& stimulus) {
+  return stimulus.inputs.empty() && stimulus.words.empty() && !stimulus.power_cycle && stimulus.repeated.empty();
 }
 
 bool IsWait(const Stimulus& stimulus) { return stimulus.ms != 0; }
@@ -131,41 +149,55 @@ void Shortener::DropSets(std::vector<Set>& sets) {
   }
 }
 
-void Shortener::DropInputs() {
-  for (size_t step = 0; step < stimuli_.size(); ++step) {
-    DropSets(stimuli_[step].inputs);
-    DropSets(stimuli_[step].words);
+void Shortener::DropInputs(Stimuli& stimuli) {
+  for (Stimulus& stimulus : stimuli) {
+    DropSets(stimulus.inputs);
+    DropSets(stimulus.words);
+    DropSets(stimulus.repeated);
+    DropInputs(stimulus.repeated);
   }
 }
 
 void Shortener::DropTime() {
-  if (!std::ranges::any_of(stimuli_, IsWait)) return;
   Stimuli at_once = stimuli_;
   for (Stimulus& stimulus : at_once) {
     if (!IsWait(stimulus)) continue;
     stimulus.ms = 0;
     stimulus.slow = 1;
   }
-  if (Try(std::move(at_once))) return;
-  for (size_t step = 0; step < stimuli_.size(); ++step) {
-    if (!IsWait(stimuli_[step])) continue;
-    Stimuli shorter = stimuli_;
-    shorter[step].ms = 0;
-    shorter[step].slow = 1;
-    Try(std::move(shorter));
+  if (std::ranges::any_of(stimuli_, IsWait) && Try(std::move(at_once))) return;
+  DropWaits(stimuli_);
+}
+
+void Shortener::DropWaits(Stimuli& stimuli) {
+  for (Stimulus& stimulus : stimuli) {
+    DropWaits(stimulus.repeated);
+    if (IsWait(stimulus) || stimulus.slow > 1) TakeTime(stimulus, {.inputs = {}, .words = {}, .slow = 1});
   }
 }
 
-void Shortener::RoundTime() {
+bool Shortener::TakeTime(Stimulus& stimulus, const Stimulus& time) {
+  const Stimulus before{.inputs = {}, .words = {}, .slow = stimulus.slow, .ms = stimulus.ms, .fast = stimulus.fast};
+  const auto take = [&stimulus](const Stimulus& from) {
+    stimulus.slow = from.slow;
+    stimulus.ms = from.ms;
+    stimulus.fast = from.fast;
+  };
+  if (IsOver()) return false;
+  take(time);
+  if (StillShows()) return true;
+  take(before);
+  return false;
+}
+
+void Shortener::RoundTime(Stimuli& stimuli) {
   constexpr uint32_t kFewPasses = 4;
-  for (size_t step = 0; step < stimuli_.size(); ++step) {
-    const bool many_passes = stimuli_[step].slow > kFewPasses;
+  for (Stimulus& stimulus : stimuli) {
+    RoundTime(stimulus.repeated);
+    const bool many_passes = stimulus.slow > kFewPasses;
     for (const uint32_t ms : {100U, 200U, 500U, 1000U, 2000U, 5000U, 10'000U, 20'000U, 60'000U}) {
-      if (!many_passes && stimuli_[step].ms <= ms) break;
-      Stimuli shorter = stimuli_;
-      shorter[step].slow = shorter[step].fast = 0;
-      shorter[step].ms = ms;
-      if (Try(std::move(shorter))) break;
+      if (!many_passes && stimulus.ms <= ms) break;
+      if (TakeTime(stimulus, {.inputs = {}, .words = {}, .ms = ms})) break;
     }
   }
 }
@@ -185,24 +217,30 @@ Stimuli Shortener::Shorten(Stimuli stimuli) {
   KeepLastSteps();
   DropSteps();
   DropForTime();
-  DropInputs();
+  DropInputs(stimuli_);
   DropTime();
-  RoundTime();
+  RoundTime(stimuli_);
   stimuli_ = Joined(stimuli_);
   // A wait that came in pieces is one number now, perhaps a rounder one; two steps are one, perhaps.
-  RoundTime();
+  RoundTime(stimuli_);
   DropSteps();
   JoinWaits();
-  RoundTime();
+  RoundTime(stimuli_);
   return std::move(stimuli_);
 }
 
 Stimuli Joined(const Stimuli& stimuli) {
   Stimuli joined;
-  for (const Stimulus& stimulus : stimuli) {
-    const bool sets = !stimulus.inputs.empty() || !stimulus.words.empty() || stimulus.power_cycle;
+  for (Stimulus stimulus : stimuli) {
+    // Time that passes in pieces, too.
+    if (stimulus.repeated.size() == 1 && IsTimeAlone(stimulus.repeated.front())) {
+      const uint32_t times = stimulus.times;
+      stimulus = Stimulus(stimulus.repeated.front());
+      for (uint32_t* const part : {&stimulus.slow, &stimulus.fast, &stimulus.ms}) *part *= times;
+    }
     const auto part_of = [](const Stimulus& of) { return std::pair(of.slow != 0, of.fast != 0); };
-    if (!joined.empty() && !sets && part_of(joined.back()) == part_of(stimulus)) {
+    if (!joined.empty() && joined.back().repeated.empty() && IsTimeAlone(stimulus) &&
+        part_of(joined.back()) == part_of(stimulus)) {
       joined.back().slow += stimulus.slow;
       joined.back().fast += stimulus.fast;
       joined.back().ms += stimulus.ms;

@@ -38,9 +38,13 @@ class Shortener {
   void DropSteps();
   /// The first steps where they only let time pass: the first wait behind them takes as long.
   void DropForTime();
-  void DropInputs();
+  void DropInputs(Stimuli& stimuli);
   void DropTime();
-  void RoundTime();
+  /// Each wait alone, repeated ones, too.
+  void DropWaits(Stimuli& stimuli);
+  /// Another time, if that shows it still.
+  bool TakeTime(Stimulus& stimulus, const Stimulus& time);
+  void RoundTime(Stimuli& stimuli);
   /// What two waiting steps set is set at once, and both waits come after it.
   void JoinWaits();
 

@@ -95,7 +95,7 @@ ChangedConstants FindChangedConstants(const prove::machine::Version& old_version
   std::vector<uint64_t> gone, come;
   std::ranges::set_difference(old_constants, new_constants, std::back_inserter(gone));
   std::ranges::set_difference(new_constants, old_constants, std::back_inserter(come));
-  ChangedConstants changed;
+  ChangedConstants changed{.times_ms = {}, .are_any = !gone.empty() || !come.empty()};
   if (gone.size() > kMostChanged || come.size() > kMostChanged) return changed;
   const std::set<uint64_t> units = UnitsOf(*old_version.program);
   std::set<uint32_t> times;

@@ -16,6 +16,7 @@ namespace plcxx::review::diff {
 struct ChangedConstants {
   std::vector<uint32_t> times_ms;  // ascending: between an old preset and a new one, whatever its unit
   uint32_t counts = 0;             // the greatest one that a counter may have to reach; 0: none
+  bool are_any = false;            // one version has a constant that the other one does not have
 };
 ChangedConstants FindChangedConstants(const prove::machine::Version& old_version,
                                       const prove::machine::Version& new_version);

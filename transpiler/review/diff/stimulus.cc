@@ -1,5 +1,7 @@
 #include "transpiler/review/diff/stimulus.h"
 
+#include <algorithm>
+
 #include "transpiler/yaml/words.h"
 
 namespace plcxx::review::diff {
@@ -14,6 +16,48 @@ void AddTo(std::string& text, const std::string& part) { text += (text.empty() ?
 Stimulus WithoutWords(const scenarios::KnownStep& step) {
   return {
       .inputs = {}, .words = {}, .slow = step.slow, .ms = step.ms, .fast = step.fast, .power_cycle = step.power_cycle};
+}
+
+Stimuli Folded(const Stimuli& stimuli) {
+  constexpr size_t kLongestPiece = 4, kLeastTimes = 3;
+  Stimuli folded;
+  for (size_t at = 0; at < stimuli.size();) {
+    const size_t begin = at;
+    for (size_t length = 1; length <= kLongestPiece && at == begin; ++length) {
+      const auto piece = stimuli.begin() + static_cast<std::ptrdiff_t>(at);
+      size_t times = 1;
+      while (at + (times + 1) * length <= stimuli.size() &&
+             std::equal(piece, piece + static_cast<std::ptrdiff_t>(length),
+                        piece + static_cast<std::ptrdiff_t>(times * length))) {
+        ++times;
+      }
+      if (times < kLeastTimes) continue;
+      folded.push_back({.inputs = {},
+                        .words = {},
+                        .repeated = Stimuli(piece, piece + static_cast<std::ptrdiff_t>(length)),
+                        .times = static_cast<uint32_t>(times)});
+      at += times * length;
+    }
+    if (at != begin) continue;
+    folded.push_back(stimuli[at++]);
+    // What is repeated already, and once more before it and after it.
+    if (folded.back().repeated.empty()) continue;
+    Stimulus last = std::move(folded.back());
+    folded.pop_back();
+    const Stimuli& body = last.repeated;
+    const auto length = static_cast<std::ptrdiff_t>(body.size());
+    while (folded.size() >= body.size() && std::equal(body.begin(), body.end(), folded.end() - length)) {
+      folded.erase(folded.end() - length, folded.end());
+      ++last.times;
+    }
+    while (stimuli.size() - at >= body.size() &&
+           std::equal(body.begin(), body.end(), stimuli.begin() + static_cast<std::ptrdiff_t>(at))) {
+      at += body.size();
+      ++last.times;
+    }
+    folded.push_back(std::move(last));
+  }
+  return folded;
 }
 
 void WrittenSteps::AddPowerCycle() {
@@ -39,6 +83,16 @@ void WrittenSteps::Add(const Stimulus& stimulus) {
   const std::string count = std::to_string(stimulus.slow != 0 ? stimulus.slow : stimulus.fast);
   scenario += "- run: {" + part + ": " + count + "}\n";
   AddTo(line, part + " " + count);
+}
+
+void WrittenSteps::AddRepeated(const WrittenSteps& steps, uint32_t times) {
+  scenario += "- repeat:\n    times: " + std::to_string(times) + "\n    steps:\n";
+  for (size_t begin = 0; begin < steps.scenario.size();) {
+    const size_t end = steps.scenario.find('\n', begin) + 1;
+    scenario += "    " + steps.scenario.substr(begin, end - begin);
+    begin = end;
+  }
+  AddTo(line, std::to_string(times) + " times (" + steps.line + ")");
 }
 
 }  // namespace plcxx::review::diff

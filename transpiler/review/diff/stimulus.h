@@ -19,8 +19,16 @@ struct Stimulus {
   uint32_t ms = 0;
   uint32_t fast = 0;  // times the fast part alone; 0: `ms`
   bool power_cycle = false;
+  /// Not empty: it is these, so many times, and nothing of the above.
+  std::vector<Stimulus> repeated = {};
+  uint32_t times = 0;
+
+  bool operator==(const Stimulus&) const = default;
 };
 using Stimuli = std::vector<Stimulus>;
+
+/// The same run, with what comes several times in a row written once.
+Stimuli Folded(const Stimuli& stimuli);
 
 /// The time and the power cycle of a known step; which words a machine knows is for the caller to say.
 Stimulus WithoutWords(const scenarios::KnownStep& step);
@@ -32,6 +40,7 @@ struct WrittenSteps {
   void AddPowerCycle();
   /// Of `stimulus` what it sets by words, then its time.
   void Add(const Stimulus& stimulus);
+  void AddRepeated(const WrittenSteps& steps, uint32_t times);
 };
 
 }  // namespace plcxx::review::diff
