@@ -1,10 +1,12 @@
 // One place is another one: what tests/diff/source_edits.h does to a line, and what concerns several lines or none.
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "tests/diff/source_edits.h"
 #include "tests/pairs/pair.h"
+#include "transpiler/dialects/dialect.h"
 
 namespace plcxx::pairs {
 namespace {
@@ -164,7 +166,11 @@ bool AnotherNumber(Pair& pair, Random& random) {
 
 /// Of the simulated control: no part of the program, and of what answers its requests diff assumes nothing. The attack
 /// is with both versions' own, though, and sees two controls.
-bool IsOfSimulation(const std::string& option) { return option == "nc-stub" || option == "stub-ms"; }
+bool IsOfSimulation(const std::string& dialect, const std::string& option) {
+  const std::span<const dialects::OptionInfo> options = dialects::DialectByName(dialect)->options;
+  const auto info = std::ranges::find(options, option, &dialects::OptionInfo::key);
+  return info != options.end() && info->is_of_simulation;
+}
 
 /// Another number in an option: a period, slices, a preset.
 bool ChangeOption(Pair& pair, Random& random) {
@@ -172,7 +178,7 @@ bool ChangeOption(Pair& pair, Random& random) {
   if (options.empty()) return false;
   auto option = options.begin();
   std::advance(option, Below(random, options.size()));
-  if (IsOfSimulation(option->first)) return false;
+  if (IsOfSimulation(pair.new_program.dialect, option->first)) return false;
   const size_t digit = option->second.find_first_of("0123456789");
   if (digit == std::string::npos || pair.new_program.files.contains(option->second)) {
     pair.what = "without the option " + option->first;

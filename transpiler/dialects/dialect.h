@@ -29,6 +29,7 @@ struct OptionInfo {
   std::string_view values;         // "P,S in ms", "on|off", "file"
   std::string_view default_value;  // as text; empty: none
   std::string_view meaning;
+  bool is_of_simulation = false;  // of the simulated control: no part of the program
 };
 
 /// Reads a file that an option or an include names; the place where it is named is the caller's to report.

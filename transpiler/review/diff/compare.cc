@@ -339,6 +339,8 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
   Diff diff{.invariants = result.invariants, .changes_are_found = result.changes_are_found, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
   NameWhatOneVersionHas(result.one_sided, old_named.words, new_named.words, diff);
+  NameOptionsOfSimulation(old_side, new_side, diff);
+  NameMovedRetentive(old_version, new_version, match, old_named.words, diff);
   if (sliced) NameBookkeepingOfSlices(old_side, new_side, same, diff);
   DiffItem changes{.old_statements = ChangedStatements(old_side, new_side),
                    .new_statements = ChangedStatements(new_side, old_side)};

@@ -1,6 +1,7 @@
 #include "transpiler/review/diff/left_out.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,6 +24,43 @@ std::vector<std::string> NamesOf(const std::vector<CellId>& cells, const CellWor
   return names;
 }
 
+/// Cells of words of which the other version has the lower digits, and those that it has nothing of.
+struct Parts {
+  std::vector<CellId> whole;
+  std::vector<std::string> upper;  // "the upper 16 bits of PARTS"
+};
+Parts PartsOf(const std::vector<CellId>& cells, const CellWords& words) {
+  std::map<std::string, std::vector<CellId>> of_word;
+  std::map<std::string, std::vector<CellId>> all_of_word;
+  for (const CellId cell : cells) {
+    CellWord word = words.WordOf(cell);
+    of_word[word.name].push_back(cell);
+    all_of_word[word.name] = std::move(word.cells);
+  }
+  Parts parts;
+  std::set<std::string> told;
+  for (const CellId cell : cells) {
+    const std::string name = words.WordOf(cell).name;
+    std::vector<CellId> of_it = of_word[name];
+    const std::vector<CellId>& all = all_of_word[name];
+    // From the lowest: those that are here are the last ones.
+    const bool is_upper =
+        of_it.size() < all.size() && std::ranges::all_of(
+                                         all,
+                                         [&](const CellId& one) {
+                                           const bool is_last =
+                                               static_cast<size_t>(&one - all.data()) >= all.size() - of_it.size();
+                                           return (std::ranges::find(of_it, one) != of_it.end()) == is_last;
+                                         });
+    if (!is_upper) {
+      parts.whole.push_back(cell);
+    } else if (told.insert(name).second) {
+      parts.upper.push_back("the upper " + std::to_string(of_it.size()) + " bits of " + name);
+    }
+  }
+  return parts;
+}
+
 }  // namespace
 
 void NameWhatOneVersionHas(const prove::diff::OneSided& one_sided, const CellWords& old_words,
@@ -30,11 +68,56 @@ void NameWhatOneVersionHas(const prove::diff::OneSided& one_sided, const CellWor
   diff.old_only = NamesOf(one_sided.old_only, old_words);
   diff.new_only = NamesOf(one_sided.new_only, new_words);
   constexpr size_t kMostRangesOfVerdict = 6;
-  for (const auto& [names, version] : {std::pair(&diff.old_only, "old"), std::pair(&diff.new_only, "new")}) {
-    if (names->empty()) continue;
-    diff.not_looked_at.push_back("internal memory that only the " + std::string(version) + " version writes (" +
-                                 NamesAsRanges(*names, kMostRangesOfVerdict) + ")");
+  const auto tell = [&](const std::vector<CellId>& cells, const CellWords& words, const std::string& version) {
+    const Parts parts = PartsOf(cells, words);
+    if (!parts.whole.empty()) {
+      diff.not_looked_at.push_back("internal memory that only the " + version + " version writes (" +
+                                   NamesAsRanges(NamesOf(parts.whole, words), kMostRangesOfVerdict) + ")");
+    }
+    // It is compared in the digits that both have.
+    for (const std::string& upper : parts.upper)
+      diff.not_looked_at.push_back(upper + ", which is wider in the " + version + " version");
+  };
+  tell(one_sided.old_only, old_words, "old");
+  tell(one_sided.new_only, new_words, "new");
+}
+
+void NameMovedRetentive(const prove::machine::Version& old_version, const prove::machine::Version& new_version,
+                        const prove::diff::Match& match, const CellWords& old_words, Diff& diff) {
+  const prove::machine::Uses old_uses = prove::machine::UsesOf(old_version);
+  std::vector<CellId> moved;
+  for (uint32_t i = 0; i < old_version.cells.calls; ++i) {
+    const CellId old_cell(i), new_cell = match.new_of_old[i];
+    if (!new_cell.valid() || !(old_uses.reads[i] || old_uses.writes[i])) continue;
+    if (!prove::machine::IsRetentive(old_version, old_cell) || !prove::machine::IsRetentive(new_version, new_cell))
+      continue;
+    const execute::Cell one = execute::CellAt(*old_version.program, old_version.cells, old_cell),
+                        other = execute::CellAt(*new_version.program, new_version.cells, new_cell);
+    if (one.kind == execute::CellKind::kBit && (one.offset != other.offset || one.bit != other.bit))
+      moved.push_back(old_cell);
   }
+  if (moved.empty()) return;
+  constexpr size_t kMostRangesOfVerdict = 6;
+  diff.not_looked_at.push_back("what the new version finds in memory that the old one kept without power, where " +
+                               NamesAsRanges(NamesOf(moved, old_words), kMostRangesOfVerdict) +
+                               (NamesOf(moved, old_words).size() == 1 ? " has" : " have") + " another address");
+}
+
+void NameOptionsOfSimulation(const DiffSide& old_side, const DiffSide& new_side, Diff& diff) {
+  const dialects::Dialect& dialect = *old_side.compilation.dialect;
+  if (new_side.compilation.dialect != old_side.compilation.dialect) return;
+  std::string changed;
+  for (const dialects::OptionInfo& option : dialect.options) {
+    if (!option.is_of_simulation) continue;
+    const auto value = [&option](const DiffSide& side) {
+      const auto at = side.compilation.options.find(std::string(option.key));
+      return at == side.compilation.options.end() ? std::string("not set") : at->second;
+    };
+    const std::string before = value(old_side), after = value(new_side);
+    if (before == after) continue;
+    changed += (changed.empty() ? "" : ", ") + std::string(option.key) + ": " + before + " -> " + after;
+  }
+  if (!changed.empty()) diff.not_looked_at.push_back("changed options of the simulated control (" + changed + ")");
 }
 
 void NameBookkeepingOfSlices(const DiffSide& old_side, const DiffSide& new_side,

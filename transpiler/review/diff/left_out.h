@@ -17,6 +17,14 @@ namespace plcxx::review::diff {
 void NameWhatOneVersionHas(const prove::diff::OneSided& one_sided, const CellWords& old_words,
                            const CellWords& new_words, Diff& diff);
 
+/// What a host answers is compared for every answer; options of the simulated control tell nothing about the program.
+void NameOptionsOfSimulation(const DiffSide& old_side, const DiffSide& new_side, Diff& diff);
+
+/// Who puts the new version into a machine that has run the old one: a variable that has moved finds another one's
+/// value.
+void NameMovedRetentive(const prove::machine::Version& old_version, const prove::machine::Version& new_version,
+                        const prove::diff::Match& match, const CellWords& old_words, Diff& diff);
+
 /// What the versions remember between two slices is nothing that they do. The programs are compared with the slow part
 /// in one piece, which has no such memory.
 void NameBookkeepingOfSlices(const DiffSide& old_side, const DiffSide& new_side,

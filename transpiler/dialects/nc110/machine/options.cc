@@ -151,9 +151,9 @@ constexpr dialects::OptionRow<Settings> kRows[] = {
     {{"help", "file", "", "descriptions of signals (HELP)"}, FileOnly},
     {{"stop-on-error", "on or off", "off", "stop at the first error"}, SwitchOnly},
     {{"ladder-lint", "on or off", "off", "warn where the ladder editor cannot show a statement (W370)"}, SwitchOnly},
-    {{"nc-stub", "on or off", "off in test, on in sim", "a simulated control answers the program's requests"},
+    {{"nc-stub", "on or off", "off in test, on in sim", "a simulated control answers the program's requests", true},
      SwitchOnly},
-    {{"stub-ms", "ms", "200", "time that a motion of the simulated control takes"},
+    {{"stub-ms", "ms", "200", "time that a motion of the simulated control takes", true},
      [](std::string_view t, Settings& s) { return Number(t, 0, kAny, s.stub_ms); }},
 };
 

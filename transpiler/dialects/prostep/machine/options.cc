@@ -51,7 +51,7 @@ constexpr dialects::OptionRow<Settings> kRows[] = {
      }},
     {{"loop-budget", "1..1000000000", "10000", "backward jumps of one run of a partition"},
      [](std::string_view t, Settings& s) { return Number(t, 1, 1'000'000'000, s.loop_budget); }},
-    {{"plc-axes", "0..5", "0", "PLC axes that the simulated control moves"},
+    {{"plc-axes", "0..5", "0", "PLC axes that the simulated control moves", true},
      [](std::string_view t, Settings& s) { return Number(t, 0, 5, s.plc_axes); }},
     {{"strict", "on or off", "off", "W01, W13 and W14 are errors"},
      [](std::string_view t, Settings& s) { return Switch(t, s.strict); }},
