@@ -34,10 +34,10 @@ bool IsConstant(const ir::Program& program, uint32_t value) {
 
 /// Null: it is executed lane by lane.
 const SlicedForm* FindForm(const ir::Program& program, const ir::Inst& inst) {
-  const auto* const form = std::ranges::find(kSlicedForms, inst.op, &SlicedForm::op);
-  if (form == std::end(kSlicedForms)) return nullptr;
-  if (form->constant >= 0 && !IsConstant(program, Operand(inst, form->constant))) return nullptr;
-  return form;
+  const auto* const form = std::ranges::find_if(kSlicedForms, [&](const SlicedForm& one) {
+    return one.op == inst.op && (one.constant < 0 || IsConstant(program, Operand(inst, one.constant)));
+  });
+  return form == std::end(kSlicedForms) ? nullptr : form;
 }
 
 std::string ConstantText(const ir::Inst& inst) {
@@ -218,16 +218,15 @@ void RoutineWriter::WriteStep(ir::InstId id, const ir::Inst& inst) {
 }
 
 void RoutineWriter::WriteUpdateText(const ir::Inst& inst) {
-  Count(share_, true);
+  Count(share_, false);
   std::string literal;
   for (const char c : program_.texts[ir::TextId(inst.b)]) {
     const auto byte = static_cast<unsigned char>(c);
     const auto digit = [](unsigned value) { return static_cast<char>('0' + value); };
     literal += {'\\', digit(byte >> 6), digit(byte >> 3 & 7), digit(byte & 7)};
   }
-  out_ += "UpdateTextPerLane<plcxx::TextFlag, plcxx::TextInbox>(m, " +
-          std::to_string(layout_.fields[inst.payload].front()) + ", " + std::to_string(layout_.fields[inst.a].front()) +
-          ", \"" + literal + "\", " + Mask() + ");\n";
+  out_ += "UpdateText(m, " + std::to_string(layout_.fields[inst.payload].front()) + ", " +
+          std::to_string(layout_.fields[inst.a].front()) + ", \"" + literal + "\", " + Mask() + ");\n";
 }
 
 }  // namespace plcxx::fleet

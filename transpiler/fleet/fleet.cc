@@ -16,6 +16,14 @@ constexpr uint8_t kElapsedMs = 0, kLastMs = 1, kTimerInput = 2;
 /// `mask` chooses of each bit.
 uint64_t Choose(uint64_t mask, uint64_t yes, uint64_t no) { return (mask & yes) | (~mask & no); }
 
+/// The chosen bits of a row, but those that are forced (which may be none).
+void CopyRow(const std::vector<uint8_t>& chosen, const uint8_t* forced, const uint8_t* from, uint8_t* to) {
+  for (size_t lane = 0; lane < chosen.size(); ++lane) {
+    const int free = chosen[lane] & ~(forced != nullptr ? forced[lane] : 0);
+    to[lane] = static_cast<uint8_t>((to[lane] & ~free) | (from[lane] & free));
+  }
+}
+
 }  // namespace
 
 void Fleet::Free::operator()(void* memory) const { std::free(memory); }
@@ -215,6 +223,10 @@ void Fleet::CopyRetentive(const uint64_t* mask, bool loads) {
   const unsigned words = lanes() / 64;
   LaneSet chosen(words);
   for (unsigned w = 0; w < words; ++w) chosen[w] = mask[w] & (loads ? has_stored_[w] : ~uint64_t{0});
+  // As bytes of a row: all bits of a lane.
+  std::vector<uint8_t> chosen_bytes(lanes());
+  for (unsigned lane = 0; lane < lanes(); ++lane)
+    chosen_bytes[lane] = static_cast<uint8_t>(0 - (chosen[lane / 64] >> (lane % 64) & 1));
   for (uint32_t s = 0; s < program().spaces.size(); ++s) {
     if (program().spaces[ir::SpaceId(s)].lifetime != ir::Lifetime::kRetentive) continue;
     for (const ByteHome& home : library_->layout.bytes[s]) {
@@ -229,16 +241,10 @@ void Fleet::CopyRetentive(const uint64_t* mask, bool loads) {
           }
         }
       }
-      for (unsigned lane = 0; home.is_row() && lane < lanes(); ++lane) {
-        if ((chosen[lane / 64] >> (lane % 64) & 1) == 0) continue;
-        const size_t at = size_t{home.row} * lanes() + lane;
-        const int kept = loads && forced_rows_ != nullptr ? forced_rows_[at] : 0;
-        if (loads) {
-          rows_[at] = static_cast<uint8_t>((rows_[at] & kept) | (stored_rows_[at] & ~kept));
-        } else {
-          stored_rows_[at] = rows_[at];
-        }
-      }
+      if (!home.is_row()) continue;
+      const size_t at = size_t{home.row} * lanes();
+      const uint8_t* const forced = loads && forced_rows_ != nullptr ? forced_rows_ + at : nullptr;
+      CopyRow(chosen_bytes, forced, loads ? &stored_rows_[at] : rows_ + at, loads ? rows_ + at : &stored_rows_[at]);
     }
   }
   for (unsigned w = 0; !loads && w < words; ++w) has_stored_[w] |= mask[w];

@@ -304,10 +304,13 @@ struct HostCall {
   }
   template <unsigned N>
   static Bits<N> Narrow(const Lanes<uint64_t>& rows) {
-    Bits<N> number;
-    const Bits<64> all = Sliced(rows);
-    for (unsigned i = 0; i < N; ++i) number.p[i] = all.p[i];
-    return number;
+    Bits<(N + 7) / 8 * 8> number;
+    uint8_t bytes[kLanes];
+    for (unsigned b = 0; 8 * b < N; ++b) {
+      for (unsigned lane = 0; lane < kLanes; ++lane) bytes[lane] = static_cast<uint8_t>(rows.v[lane] >> (8 * b));
+      BytesToPlanes(bytes, number.p + 8 * b);
+    }
+    return Held<N>(number);
   }
   template <unsigned N>
   Bits<N> Result() const {

@@ -250,4 +250,76 @@ inline Bits<N> BitAt(const Plane& bit, const Fixed<T, kPosition>&) {
   return r;
 }
 
+/// a * kBy, modulo 2^N: a sum of shifted numbers, or a difference where a row of ones ends (7 is 8 - 1).
+template <unsigned N, class A, class T, uint64_t kBy>
+inline Bits<N> Times(const A& a, const Fixed<T, kBy>&) {
+  const auto& x = Sliced(a);
+  Bits<N> r{};
+  uint64_t left = kBy;
+  PLCXX_UNROLL
+  for (unsigned at = 0; at < N; ++at, left >>= 1) {
+    if ((left & 1) == 0) continue;
+    const bool minus = (left & 3) == 3;
+    Bits<N> shifted{};
+    PLCXX_UNROLL
+    for (unsigned i = at; i < N; ++i) shifted.p[i] = x.Bit(i - at);
+    r = minus ? Sub<N>(r, shifted) : Add<N>(r, shifted);
+    left = minus ? left + 1 : left - 1;
+  }
+  return r;
+}
+template <unsigned N, class T, uint64_t kBy, class A>
+inline Bits<N> TimesFirst(const Fixed<T, kBy>& by, const A& a) {
+  return Times<N>(a, by);
+}
+
+// --- decimal digits -------------------------------------------------------------------------------------------------
+
+/// The lowest decimal digits of a number, four bits each: bit by bit from above, everything is doubled, and a digit
+/// that would become ten or more has three added first.
+template <unsigned N, class A>
+inline Bits<N> ToBcd(const A& a) {
+  const auto& x = Sliced(a);
+  Bits<N> r{};
+  PLCXX_UNROLL
+  for (unsigned at = N; at-- > 0;) {
+    Plane carry = x.Bit(at);
+    PLCXX_UNROLL
+    for (unsigned d = 0; d < N; d += 4) {
+      const Plane b0 = r.p[d], b1 = r.p[d + 1], b2 = r.p[d + 2], b3 = r.p[d + 3];
+      const Plane five = b3 | (b2 & (b1 | b0));  // 5 or more: 2 * b is 10 + 2 * (b - 5)
+      r.p[d] = carry;
+      r.p[d + 1] = b0 ^ five;
+      r.p[d + 2] = Choose(five, ~(b1 ^ b0), b1);
+      r.p[d + 3] = Choose(five, b3 & b0, b2);
+      carry = five;
+    }
+  }
+  return r;
+}
+/// Nibbles above 9 count with their weight, too.
+template <unsigned N, class A>
+inline Bits<N> FromBcd(const A& a) {
+  const auto& x = Sliced(a);
+  Bits<N> r{};
+  PLCXX_UNROLL
+  for (unsigned at = N; at != 0;) {
+    at -= 4;
+    Bits<N> digit{};
+    PLCXX_UNROLL
+    for (unsigned i = 0; i < 4; ++i) digit.p[i] = x.Bit(at + i);
+    r = Add<N>(Times<N>(r, Fixed<uint8_t, 10>{}), digit);
+  }
+  return r;
+}
+/// Whether one of the nibbles is above 9.
+template <unsigned N, class A>
+inline Plane HasNoDigit(const A& a) {
+  const auto& x = Sliced(a);
+  Plane any{};
+  PLCXX_UNROLL
+  for (unsigned d = 0; d < N; d += 4) any |= x.Bit(d + 3) & (x.Bit(d + 2) | x.Bit(d + 1));
+  return any;
+}
+
 }  // namespace plcxx_fleet

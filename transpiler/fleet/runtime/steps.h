@@ -4,7 +4,9 @@
 // What each has to do is the function of runtime_support of the same name.
 #pragma once
 
+#include "plcxx/decade_counters.h"
 #include "plcxx/texts.h"
+#include "plcxx/time_word_timers.h"
 #include "transpiler/fleet/runtime/machine.h"
 
 namespace plcxx_fleet {
@@ -70,20 +72,34 @@ inline auto StepPerLane(State& m, unsigned first, const M& active, Function&& fu
   }
 }
 
-/// Compares the text of an inbox with a literal.
-template <class Flag, class Inbox, class M>
-inline void UpdateTextPerLane(State& m, unsigned flag_first, unsigned inbox_first, const char* literal,
-                              const M& active) {
-  Fields<Flag> flags;
-  Fields<Inbox> inboxes;
-  flags.Take(m, flag_first);
-  inboxes.Take(m, inbox_first);
-  for (unsigned lane = 0; lane < kLanes; ++lane) {
-    Flag flag = flags.Get(lane);
-    plcxx::UpdateText(flag, inboxes.Get(lane), literal);
-    flags.Set(lane, flag);
+// --- texts: a flag is left 8, flag; an inbox is text 32 * 8, length 8, pending --------------------------------------
+
+/// Whether the text of an inbox is the literal. Rare: only while a text is pending.
+[[gnu::noinline]] inline Plane EqualsText(const State& m, unsigned inbox, const char* literal) {
+  uint8_t length = 0;
+  while (literal[length] != '\0') {
+    if (++length > plcxx::kLongestText) return Zeros();
   }
-  flags.Give(m, flag_first, active);
+  Plane equal = ~NotEqual<8>(FieldAt<8>(m, inbox + 256), Uniform<uint8_t>{length});
+  for (unsigned i = 0; i < length && Any(equal); ++i)
+    equal &= ~NotEqual<8>(FieldAt<8>(m, inbox + 8 * i), Uniform<uint8_t>{static_cast<uint8_t>(literal[i])});
+  return equal;
+}
+template <class M>
+inline void UpdateText(State& m, unsigned flag, unsigned inbox, const char* literal, const M& active) {
+  const Plane pending = m.planes[inbox + 264];
+  Bits<8> left = FieldAt<8>(m, flag);
+  const Plane some = ~IsZero<8>(left);
+  if (__builtin_expect(Any(pending | some), 0)) {
+    left = Select<8>(some, Sub<8>(left, Fixed<uint8_t, 1>{}), left);
+    if (Any(pending)) {
+      const Plane equal = EqualsText(m, inbox, literal);
+      PLCXX_UNROLL
+      for (unsigned i = 0; i < 8; ++i) left.p[i] = Choose(pending, i == 1 ? equal : Zeros(), left.p[i]);
+    }
+    PutField<8>(m, flag, left, active);
+  }
+  PutPlane(m, flag + 8, ~IsZero<8>(left), active);
 }
 
 // --- on-delay timers
@@ -282,6 +298,200 @@ inline void ExpirePulseFast(State& m, unsigned first, const Cycle& slow_done, co
   if (!Any(fast)) return;
   const Plane reached = ~SignBit<32>(Sub<32>(slow_done, FieldAt<32>(m, first + 32)));
   PutPlane(m, first + 64, Zeros(), Within(active, fast & reached));
+}
+
+/// A target that was reached is kept near, so that a wrap of the count never makes an old one look new.
+template <class Done, class Slice, class M>
+inline void PulseFast(State& m, unsigned first, const Plane& input, const Done& slow_done, const Slice& slice,
+                      const M& active) {
+  const Plane pulse = m.planes[first + 64], rises = input & ~m.planes[first + 65];
+  const Plane reached = ~SignBit<32>(Sub<32>(slow_done, FieldAt<32>(m, first + 32)));
+  const Plane begins = rises & (reached | ~pulse);
+  PutField<32>(m, first + 32, slow_done, Within(active, reached));
+  const auto started = Within(active, begins);
+  if (Any(started)) {
+    Plane carry = NotEqual<8>(slice, Fixed<uint8_t, 0>{});
+    PutField<32>(m, first + 32, AddWithCarry<32>(slow_done, Fixed<uint32_t, 1>{}, carry), started);
+    PutPlane(m, first + 66, Ones(), started);
+  }
+  PutPlane(m, first + 64, Choose(reached | ~pulse, rises, pulse), active);
+  PutPlane(m, first + 65, input, active);
+}
+
+// --- timers with a time word: left_ms 32, scale 8, delays, running, edge, output ------------------------------------
+//
+// What does not run has no time left, and a time is below 2^21 ms: plcxx/time_word_timers.h.
+
+/// The time of a word, in the lanes of `starts`; gives where it is not 0.
+template <class T, uint64_t kWord>
+inline Plane LoadTime(State& m, unsigned first, const Fixed<T, kWord>&, const Plane& starts) {
+  plcxx::TimeWordTimer timer{};
+  const bool some = plcxx::LoadTime(timer, static_cast<uint16_t>(kWord));
+  PutField<32>(m, first, Uniform<uint32_t>{timer.left_ms}, starts);
+  PutField<8>(m, first + 32, Uniform<uint8_t>{timer.scale}, starts);
+  return AllEqual(some);
+}
+template <class Word>
+[[gnu::noinline]] Plane LoadTime(State& m, unsigned first, const Word& word, const Plane& starts) {
+  const auto& words = In<uint16_t>(word);
+  Lanes<uint32_t> left;
+  Lanes<uint8_t> scale;
+  for (unsigned lane = 0; lane < kLanes; ++lane) {
+    plcxx::TimeWordTimer timer{};
+    plcxx::LoadTime(timer, words[lane]);
+    left.v[lane] = timer.left_ms;
+    scale.v[lane] = timer.scale;
+  }
+  PutField<32>(m, first, left, starts);
+  PutField<8>(m, first + 32, scale, starts);
+  return ~IsZero<32>(left);
+}
+
+/// What a start reads, and what it leaves; results are what it leaves before forces.
+struct TimeWordStep {
+  Plane running, edge, output;
+};
+inline TimeWordStep BeginStep(const State& m, unsigned first) {
+  return {m.planes[first + 41], m.planes[first + 42], m.planes[first + 43]};
+}
+/// Of the lanes of `stops`, those that run have no time left.
+template <class M>
+inline void StopTime(State& m, unsigned first, const Plane& stops, const M& active) {
+  const auto ending = Within(active, stops & m.planes[first + 41]);
+  if (Any(ending)) PutField<32>(m, first, Fixed<uint32_t, 0>{}, ending);
+}
+template <class M>
+inline Plane EndStep(State& m, unsigned first, const TimeWordStep& step, const Plane& condition, bool delays,
+                     const M& active) {
+  PutPlane(m, first + 40, AllEqual(delays), active);
+  PutPlane(m, first + 41, step.running, active);
+  PutPlane(m, first + 42, condition, active);
+  PutPlane(m, first + 43, step.output, active);
+  return step.output;
+}
+/// Starts in some lanes: the output is 1 while it runs, or, where it delays, when it does not.
+template <class Word, class M>
+inline void Start(State& m, unsigned first, TimeWordStep& step, const Plane& starts, const Word& word, bool delays,
+                  const M& active) {
+  const Plane started = ToPlane(Within(active, starts));
+  if (!Any(started)) return;
+  const Plane some = LoadTime(m, first, word, started);
+  step.running = Choose(starts, some, step.running);
+  step.output = Choose(starts, delays ? ~some : some, step.output);
+}
+template <class Word, class M>
+inline Plane StartPulse(State& m, unsigned first, const Plane& condition, const Word& word, const M& active) {
+  TimeWordStep step = BeginStep(m, first);
+  StopTime(m, first, ~condition, active);
+  step.running &= condition;
+  step.output &= condition;
+  Start(m, first, step, condition & ~step.edge, word, false, active);
+  return EndStep(m, first, step, condition, false, active);
+}
+template <class Word, class M>
+inline Plane StartExtended(State& m, unsigned first, const Plane& condition, const Word& word, const M& active) {
+  TimeWordStep step = BeginStep(m, first);
+  Start(m, first, step, condition & ~step.edge, word, false, active);
+  return EndStep(m, first, step, condition, false, active);
+}
+template <class Word, class M>
+inline Plane StartOnDelay(State& m, unsigned first, const Plane& condition, const Word& word, const M& active) {
+  TimeWordStep step = BeginStep(m, first);
+  StopTime(m, first, ~condition, active);
+  step.running &= condition;
+  step.output &= condition;
+  Start(m, first, step, condition & ~step.edge, word, true, active);
+  return EndStep(m, first, step, condition, true, active);
+}
+template <class Word, class M>
+inline Plane StartLatchedDelay(State& m, unsigned first, const Plane& condition, const Word& word, const M& active) {
+  TimeWordStep step = BeginStep(m, first);
+  Start(m, first, step, condition & ~step.edge & ~step.output, word, true, active);
+  return EndStep(m, first, step, condition, true, active);
+}
+template <class Word, class M>
+inline Plane StartOffDelay(State& m, unsigned first, const Plane& condition, const Word& word, const M& active) {
+  TimeWordStep step = BeginStep(m, first);
+  const Plane rises = condition & ~step.edge, ends = ~condition & step.edge & step.output;
+  StopTime(m, first, rises, active);
+  step.running &= ~rises;
+  step.output |= rises;
+  Start(m, first, step, ends, word, false, active);
+  return EndStep(m, first, step, condition, false, active);
+}
+template <class M>
+inline void ResetTimer(State& m, unsigned first, const Plane& condition, const M& active) {
+  StopTime(m, first, condition, active);
+  PutPlane(m, first + 41, Zeros(), Within(active, condition));
+  PutPlane(m, first + 43, Zeros(), Within(active, condition));
+}
+template <class Time, class M>
+inline void PassTime(State& m, unsigned first, const Time& ms, const M& active) {
+  constexpr unsigned kBits = 21;
+  const Plane running = m.planes[first + 41];
+  const auto runs = Within(active, running);
+  if (!Any(runs)) return;
+  const auto& passed = Sliced(ms);
+  Plane borrow{}, far{};
+  const Bits<kBits> rest = SubWithBorrow<kBits>(FieldAt<kBits>(m, first), passed, borrow);
+  for (unsigned i = kBits; i < 32; ++i) far |= passed.Bit(i);
+  const Plane ends = borrow | far | IsZero<kBits>(rest);
+  PutField<kBits>(m, first, Select<kBits>(ends, Fixed<uint32_t, 0>{}, rest), runs);
+  const auto ended = Within(runs, ends);
+  PutPlane(m, first + 41, Zeros(), ended);
+  PutPlane(m, first + 43, m.planes[first + 40], ended);
+}
+
+// --- decade counters: value 16, up_edge, down_edge, set_edge ---------------------------------------------------------
+
+template <class M>
+inline Plane CountUp(State& m, unsigned first, const Plane& condition, const M& active) {
+  Bits<16> value = FieldAt<16>(m, first);
+  const Plane counts = condition & ~m.planes[first + 16] & Less<16>(value, Fixed<uint16_t, 999>{});
+  const auto counting = Within(active, counts);
+  if (Any(counting)) {
+    value = Select<16>(counts, Add<16>(value, Fixed<uint16_t, 1>{}), value);
+    PutField<16>(m, first, value, counting);
+  }
+  PutPlane(m, first + 16, condition, active);
+  return ~IsZero<16>(value);
+}
+template <class M>
+inline Plane CountDown(State& m, unsigned first, const Plane& condition, const M& active) {
+  Bits<16> value = FieldAt<16>(m, first);
+  const Plane counts = condition & ~m.planes[first + 17] & ~IsZero<16>(value);
+  const auto counting = Within(active, counts);
+  if (Any(counting)) {
+    value = Select<16>(counts, Sub<16>(value, Fixed<uint16_t, 1>{}), value);
+    PutField<16>(m, first, value, counting);
+  }
+  PutPlane(m, first + 17, condition, active);
+  return ~IsZero<16>(value);
+}
+template <class Preset>
+[[gnu::noinline]] void LoadCount(State& m, unsigned first, const Preset& preset, const Plane& lanes) {
+  const auto& presets = In<uint16_t>(preset);
+  Lanes<uint16_t> value;
+  for (unsigned lane = 0; lane < kLanes; ++lane) {
+    plcxx::DecadeCounter counter{};
+    plcxx::SetCounter(counter, true, presets[lane]);
+    value.v[lane] = counter.value;
+  }
+  PutField<16>(m, first, value, lanes);
+}
+template <class Preset, class M>
+inline void SetCounter(State& m, unsigned first, const Plane& condition, const Preset& preset, const M& active) {
+  const Plane sets = ToPlane(Within(active, condition));
+  if (Any(sets)) LoadCount(m, first, AsUniform(preset), sets);
+}
+template <class Preset, class M>
+inline void SetCounterOnEdge(State& m, unsigned first, const Plane& condition, const Preset& preset, const M& active) {
+  SetCounter(m, first, condition & ~m.planes[first + 18], preset, active);
+  PutPlane(m, first + 18, condition, active);
+}
+template <class M>
+inline void ZeroCounter(State& m, unsigned first, const Plane& condition, const M& active) {
+  PutField<16>(m, first, Fixed<uint16_t, 0>{}, Within(active, condition));
 }
 
 }  // namespace plcxx_fleet
