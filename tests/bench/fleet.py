@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""A fleet against the generated C++ of the same program, in one run.
+"""A fleet against the generated C++ of the same program, and against the simulator, in one run.
 
-    fleet.py [--statements N ...] [--build DIRECTORY]
+    fleet.py [--statements N ...] [--samples] [--build DIRECTORY]
 
-Prints for each program the processor time of a period and machine in ns: the generated code with g++ -O2, and fleets of 64, 256 and 512
-machines, as far as the processor has them; how many times as fast the widest is; the share of operations that run
-lane by lane; bytes of a lane; seconds to compile. The mix is that of generate_nc110.py.
+Prints for each program the processor time of a period and machine in ns: the generated code with g++ -O2, the simulator, and
+fleets of 64, 256 and 512 machines, as far as the processor has them; how many times as fast as the generated code a fleet is; what two
+fleets at once do, in fleets alone; the share of operations that run lane by lane; bytes of a lane; seconds to compile. The
+mix is that of generate_nc110.py; --samples takes the machines of samples/, too.
 """
 import argparse
 import json
@@ -17,73 +18,48 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 WIDTHS = (64, 256, 512)
-# Whoever runs the generated code alone: the time of one period, inputs that change now and then.
-SCALAR = r"""
-#include <stdint.h>
-#include <stdio.h>
-#include <time.h>
-extern "C" { void generated_init(); void generated_scan(uint32_t); void generated_set(uint32_t); uint64_t generated_sum(); }
-int main() {
-  generated_init();
-  double best = 1e18;
-  uint32_t t = 0;
-  for (int round = 0; round < 7; ++round) {
-    timespec a, b;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &a);
-    for (int i = 0; i < %d; ++i) {
-      if (i %% 16 == 0) generated_set(t * 2654435761u);
-      generated_scan(t += 10);
-    }
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &b);
-    double ns = ((b.tv_sec - a.tv_sec) * 1e9 + (b.tv_nsec - a.tv_nsec)) / %d;
-    if (ns < best) best = ns;
-  }
-  printf("%%f %%llu\n", best, (unsigned long long)generated_sum());
-}
-"""
+SAMPLES = ("nc110/lathe_16k20", "technol/mcv_750", "host50/ck6150", "prostep/mill_fnd32", "hnc/mill_xk7132")
 
 
-def run(command, cwd):
-    result = subprocess.run([str(word) for word in command], cwd=cwd, capture_output=True, text=True, check=False)
-    if result.returncode != 0:
-        sys.exit(f"{command[0]} failed:\n{result.stdout}{result.stderr}")
-    return result.stdout
+def measure(command, directory, at_once=1):
+    """A row of each of the processes that run at once, or what one of them says when it fails."""
+    processes = [subprocess.Popen(command, cwd=directory, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                 for _ in range(at_once)]
+    results = [(process, *process.communicate()) for process in processes]
+    failed = [error.strip()[:60] for process, _, error in results if process.returncode != 0]
+    return failed[0] if failed else [json.loads(output) for _, output, _ in results]
 
 
-def scalar_ns(plcxx, directory, periods):
-    run([plcxx, "emit", "program.plc", "-o", "."], directory)
-    (directory / "main.cpp").write_text(SCALAR % (periods, periods))
-    generated = [p.name for p in directory.glob("program*.cpp")]
-    run(["g++", "-std=c++17", "-O2", "-fno-exceptions", "-fno-rtti", "-I", ".", "-I", ROOT / "runtime_support", *generated, "glue.cpp",
-         "main.cpp", "-o", "scalar"], directory)
-    return float(run(["./scalar"], directory).split()[0])
+def report(name, bench, directory, periods, source):
+    for lanes in WIDTHS:
+        command = [str(bench), str(lanes), str(periods), source]
+        alone, both = measure(command, directory), measure(command, directory, at_once=2)
+        if isinstance(alone, str) or isinstance(both, str):
+            print(f"| {name} | {lanes} | {alone if isinstance(alone, str) else both} |")
+            continue
+        row = alone[0]
+        scalar, fleet = row["scalar_ns"], row["ns_per_period_and_machine"]
+        two = sum(fleet / one["ns_per_period_and_machine"] for one in both)
+        share = row["per_lane"] / (row["per_lane"] + row["sliced"])
+        print(f"| {name} | {row['lanes']} | {scalar:.1f} | {row['simulator_ns']:.0f} | {fleet:.2f} | {scalar / fleet:.1f} | {two:.2f} | "
+              f"{share:.1%} | {row['state_bytes_per_lane']:.0f} | {row['compile_s']:.1f} |", flush=True)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--statements", type=int, nargs="+", default=[1000])
+    parser.add_argument("--statements", type=int, nargs="*", default=[1000])
+    parser.add_argument("--samples", action="store_true")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
     options = parser.parse_args()
-    plcxx, bench = options.build / "bin" / "plcxx", options.build / "tests" / "plcxx_fleet_bench"
-    print("| statements | machines | scalar ns/machine | fleet ns/machine | fleet ns/rung | times | per lane | bytes/lane | compile s |")
-    print("|---|---|---|---|---|---|---|---|---|")
+    bench = (options.build / "tests" / "plcxx_fleet_bench").resolve()
+    print("| program | machines | scalar ns | simulator ns | fleet ns/machine | times | two at once | per lane | bytes/lane | compile s |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
     for count in options.statements:
-        with tempfile.TemporaryDirectory() as base:
-            directory = pathlib.Path(base)
-            run([sys.executable, HERE / "generate_nc110.py", count, directory], directory)
-            periods = max(20, 2_000_000 // count)
-            scalar = scalar_ns(plcxx, directory, periods)
-            for width in WIDTHS:
-                result = subprocess.run([bench, str(width), str(max(20, 400_000 // count)), "program.plc"], cwd=directory,
-                                        capture_output=True, text=True, check=False)
-                if result.returncode != 0:
-                    print(f"| {count} | {width} | {scalar:.1f} | {result.stderr.strip()[:60]} |")
-                    continue
-                row = json.loads(result.stdout)
-                fleet = row["ns_per_period_and_machine"]
-                share = row["per_lane"] / (row["per_lane"] + row["sliced"])
-                print(f"| {count} | {row['lanes']} | {scalar:.1f} | {fleet:.2f} | {fleet / count:.5f} | {scalar / fleet:.1f} | "
-                      f"{share:.1%} | {row['state_bytes_per_lane']:.0f} | {row['compile_s']:.1f} |", flush=True)
+        with tempfile.TemporaryDirectory() as directory:
+            subprocess.run([sys.executable, str(HERE / "generate_nc110.py"), str(count), directory], check=True)
+            report(f"{count} statements", bench, directory, max(20, 400_000 // count), "program.plc")
+    for sample in SAMPLES if options.samples else ():
+        report(sample, bench, ROOT / "samples" / sample, 2000, "plcxx.yaml")
 
 
 if __name__ == "__main__":

@@ -13,15 +13,21 @@ class Simulator;
 /// Whether execution goes on after an instruction, or an Exit is on its way to the block or loop that it leaves.
 enum class Flow : uint8_t { kOn, kLeaving };
 
+/// Half a line of the cache, for a program of thousands of statements is read from memory in each period.
 struct Decoded {
   Flow (*execute)(Simulator& simulator, const Decoded& inst) = nullptr;
-  uint32_t id = 0;                // its InstId, which is where its result goes, too
-  uint32_t order = 0;             // how many are in front of it in its region
-  uint32_t a = 0, b = 0, c = 0;   // operands: whose results they are
-  uint32_t payload = 0;           // as ir::Inst has it
-  uint32_t owner = 0, place = 0;  // of a place that does not move: the space and the byte in it; of a field its place
-  uint8_t bit = 0;                // likewise
+  uint32_t id = 0;       // its InstId, which is where its result goes, too
+  uint32_t order = 0;    // how many are in front of it in its region
+  uint32_t a = 0;        // operand: whose result it is
+  uint32_t b = 0;        // operand; of a load or store of what does not move the byte in its space, or a field's place
+  uint32_t c = 0;        // operand; likewise the space
+  uint32_t payload = 0;  // as ir::Inst has it; likewise the bit
+
+  uint32_t byte() const { return b; }
+  uint32_t space() const { return c; }
+  uint32_t bit() const { return payload; }
 };
+static_assert(sizeof(void*) > 8 || sizeof(Decoded) <= 32);
 
 /// Stretches of decoded instructions.
 struct DecodedRegion {

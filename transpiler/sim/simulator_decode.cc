@@ -54,21 +54,21 @@ struct Simulator::Functions {
   // Loads and stores of what does not move, in the forms that are frequent; Load and Store are for all others.
 
   static Flow LoadBit(Simulator& simulator, const Decoded& inst) {
-    simulator.values_[inst.id] = simulator.spaces_[inst.owner][inst.place] >> inst.bit & 1;
+    simulator.values_[inst.id] = simulator.spaces_[inst.space()][inst.byte()] >> inst.bit() & 1;
     return Flow::kOn;
   }
   static Flow LoadByte(Simulator& simulator, const Decoded& inst) {
-    simulator.values_[inst.id] = simulator.spaces_[inst.owner][inst.place];
+    simulator.values_[inst.id] = simulator.spaces_[inst.space()][inst.byte()];
     return Flow::kOn;
   }
   template <class T>
   static Flow LoadField(Simulator& simulator, const Decoded& inst) {
-    simulator.values_[inst.id] = simulator.instances_.FieldAt<T>(inst.place);
+    simulator.values_[inst.id] = simulator.instances_.FieldAt<T>(inst.byte());
     return Flow::kOn;
   }
   template <uint32_t kBytes, bool kBigEndian>
   static Flow LoadWide(Simulator& simulator, const Decoded& inst) {
-    const uint8_t* const bytes = simulator.spaces_[inst.owner].bytes().data() + inst.place;
+    const uint8_t* const bytes = simulator.spaces_[inst.space()].bytes().data() + inst.byte();
     uint64_t value = 0;
     for (uint32_t i = 0; i < kBytes; ++i) value |= uint64_t{bytes[i]} << (8 * (kBigEndian ? kBytes - 1 - i : i));
     simulator.values_[inst.id] = value;
@@ -76,24 +76,24 @@ struct Simulator::Functions {
   }
   static Flow StoreBit(Simulator& simulator, const Decoded& inst) {
     if (simulator.last_writes_) return Store(simulator, inst);
-    const auto mask = static_cast<uint8_t>(1U << inst.bit);
+    const auto mask = static_cast<uint8_t>(1U << inst.bit());
     const bool one = (simulator.values_[inst.a] & 1) != 0;
-    simulator.spaces_[inst.owner].Write(inst.place, mask, one ? mask : uint8_t{0});
+    simulator.spaces_[inst.space()].Write(inst.byte(), mask, one ? mask : uint8_t{0});
     return Flow::kOn;
   }
   static Flow StoreByte(Simulator& simulator, const Decoded& inst) {
     if (simulator.last_writes_) return Store(simulator, inst);
-    simulator.spaces_[inst.owner].Write(inst.place, 0xFF, static_cast<uint8_t>(simulator.values_[inst.a]));
+    simulator.spaces_[inst.space()].Write(inst.byte(), 0xFF, static_cast<uint8_t>(simulator.values_[inst.a]));
     return Flow::kOn;
   }
 
   template <uint32_t kBytes, bool kBigEndian>
   static Flow StoreWide(Simulator& simulator, const Decoded& inst) {
     if (simulator.last_writes_) return Store(simulator, inst);
-    ForcedBytes& bytes = simulator.spaces_[inst.owner];
+    ForcedBytes& bytes = simulator.spaces_[inst.space()];
     const uint64_t value = simulator.values_[inst.a];
     for (uint32_t i = 0; i < kBytes; ++i) {
-      bytes.Write(inst.place + i, 0xFF, static_cast<uint8_t>(value >> (8 * (kBigEndian ? kBytes - 1 - i : i))));
+      bytes.Write(inst.byte() + i, 0xFF, static_cast<uint8_t>(value >> (8 * (kBigEndian ? kBytes - 1 - i : i))));
     }
     return Flow::kOn;
   }
@@ -191,12 +191,14 @@ Decoded Simulator::DecodedOf(ir::InstId id) const {
   const ir::Shape shape = ir::Info(inst.op).shape;
   if (shape != ir::Shape::kLoad && shape != ir::Shape::kStore) return decoded;
   const PlaceAccess& access = places_[inst.payload];
-  decoded.owner = access.owner;
-  decoded.bit = access.bit;
-  decoded.place = access.kind == AccessKind::kField ? instances_.PlaceOf(access.owner, access.field) : access.offset;
-  decoded.execute = shape == ir::Shape::kLoad
-                        ? Functions::LoadOf(access, program_.places[ir::PlaceId(inst.payload)].type)
-                        : Functions::StoreOf(access);
+  const Functions::Function fast = shape == ir::Shape::kLoad
+                                       ? Functions::LoadOf(access, program_.places[ir::PlaceId(inst.payload)].type)
+                                       : Functions::StoreOf(access);
+  if (fast == decoded.execute) return decoded;
+  decoded.execute = fast;
+  decoded.b = access.kind == AccessKind::kField ? instances_.PlaceOf(access.owner, access.field) : access.offset;
+  decoded.c = access.owner;
+  decoded.payload = access.bit;
   return decoded;
 }
 
