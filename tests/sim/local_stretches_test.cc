@@ -8,7 +8,7 @@
 namespace plcxx::sim {
 namespace {
 
-/// `inner` uses two bytes of the locals of `outer`, and its own; `helper` is a subroutine of `inner` with two more.
+/// `inner` uses two bytes of the locals of `outer`, and its own; `count_high` is a subroutine of `inner` with two more.
 constexpr std::string_view kNested = R"(
   space M 16 volatile little host_visible
   space LOCALS 64 routine little
@@ -20,7 +20,7 @@ constexpr std::string_view kNested = R"(
   place SHARED i8 LOCALS[9]
   place HIGH i8 LOCALS[40]
   place OWN i8 OTHERS[3]
-  routine helper subroutine {
+  routine count_high subroutine {
     %n = load HIGH
     %one = const i8 1
     %sum = add.i8 %n %one
@@ -35,7 +35,7 @@ constexpr std::string_view kNested = R"(
     %many = const i8 99
     store SHARED %many
     store OWN %many
-    call helper ()
+    call count_high ()
   }
   routine period schedule {
     %seven = const i8 7
@@ -72,7 +72,7 @@ TEST(LocalStretches, ARoutineHasThoseOfWhatItCalls) {
   for (const ir::Place& place : program.places) places.push_back(AccessTo(program, place));
   const std::vector<LocalStretches> found = FindLocalStretches(program, places);
   ASSERT_EQ(found.size(), 3U);
-  ASSERT_EQ(found[0].size(), 1U) << "helper";
+  ASSERT_EQ(found[0].size(), 1U) << "count_high";
   EXPECT_EQ(found[0][0].begin, 40U);
   EXPECT_EQ(found[0][0].end, 41U);
   ASSERT_EQ(found[1].size(), 2U) << "inner";
