@@ -19,6 +19,13 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 /// A lathe with an option that its program needs, a scenario without sources, and a folder below.
+/// The exit code of git in the folder.
+int Git(const Workplace& work, const std::string& words) {
+  const std::string command =
+      "cd '" + work.Path(".") + "' && git -c user.name=t -c user.email=t " + words + " >git.log 2>&1";
+  return std::system(command.c_str());
+}
+
 class ProjectCommand : public ::testing::Test {
  protected:
   ProjectCommand() {
@@ -210,14 +217,9 @@ TEST_F(ProjectCommand, ProvesWhatTheProjectNames) {
 }
 
 TEST_F(ProjectCommand, EachRevisionHasItsOwn) {
-  const auto git = [&](const std::string& words) {
-    const std::string command =
-        "cd '" + work_.Path(".") + "' && git -c user.name=t -c user.email=t " + words + " >git.log 2>&1";
-    return std::system(command.c_str());
-  };
-  if (git("init -q") != 0) GTEST_SKIP() << "no git";
-  ASSERT_EQ(git("add ."), 0);
-  ASSERT_EQ(git("commit -q -m one"), 0);
+  if (Git(work_, "init -q") != 0) GTEST_SKIP() << "no git";
+  ASSERT_EQ(Git(work_, "add ."), 0);
+  ASSERT_EQ(Git(work_, "commit -q -m one"), 0);
   // The file has another name since, and says it.
   std::filesystem::rename(work_.Path("lathe.plc"), work_.Path("turning.plc"));
   work_.Write("plcxx.yaml", "name: saw\ndialect: nc110\nsources: turning.plc\noptions: {clo: [20, 2]}\n");
@@ -232,20 +234,15 @@ TEST_F(ProjectCommand, EachRevisionHasItsOwn) {
   EXPECT_THAT(changed.out, HasSubstr("U4A0  different"));
   const Ran unknown = work_.Run("diff nothing..");
   EXPECT_EQ(unknown.code, 2) << unknown;
-  ASSERT_EQ(git("branch stable"), 0);
+  ASSERT_EQ(Git(work_, "branch stable"), 0);
   EXPECT_THAT(work_.Run("diff stabel..").errors, HasSubstr("git has no version 'stabel', did you mean 'stable'"));
   EXPECT_THAT(work_.Run("diff stable").errors, HasSubstr("'stable..' compares that version in git with the work tree"));
 }
 
 TEST_F(Park, DiffSaysWhichProgramItIsAbout) {
-  const auto git = [&](const std::string& words) {
-    const std::string command =
-        "cd '" + work_.Path(".") + "' && git -c user.name=t -c user.email=t " + words + " >git.log 2>&1";
-    return std::system(command.c_str());
-  };
-  if (git("init -q") != 0) GTEST_SKIP() << "no git";
-  ASSERT_EQ(git("add ."), 0);
-  ASSERT_EQ(git("commit -q -m one"), 0);
+  if (Git(work_, "init -q") != 0) GTEST_SKIP() << "no git";
+  ASSERT_EQ(Git(work_, "add ."), 0);
+  ASSERT_EQ(Git(work_, "commit -q -m one"), 0);
   work_.Write("mill/p.plc", "U4A0=I0A0\n$\nU4A1=I0A1*I0A2\n");
   const Ran text = work_.Run("diff --all --counterexamples found");
   EXPECT_EQ(text.code, 1) << text;

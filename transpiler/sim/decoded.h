@@ -27,7 +27,7 @@ struct Decoded {
   uint32_t space() const { return c; }
   uint32_t bit() const { return payload; }
 };
-static_assert(sizeof(void*) > 8 || sizeof(Decoded) <= 32);
+static_assert(sizeof(Decoded) <= 32);
 
 /// Stretches of decoded instructions.
 struct DecodedRegion {

@@ -62,9 +62,15 @@ constexpr size_t FirstSlot(ir::StateKind kind) {
   while (kSlots[i].kind != kind) ++i;
   return i;
 }
+struct KindRow {
+  size_t first_slot;
+  size_t bytes;                         // of the struct
+  void (*begin)(unsigned char* bytes);  // a struct begins to live there, all 0
+};
 /// By StateKind, which is the order of the table.
-constexpr size_t kFirstSlots[] = {
-#define PLCXX_STATE(Kind, ...) FirstSlot(ir::StateKind::k##Kind),
+constexpr KindRow kKinds[] = {
+#define PLCXX_STATE(Kind, ...) \
+  {FirstSlot(ir::StateKind::k##Kind), sizeof(plcxx::Kind), [](unsigned char* bytes) { new (bytes) plcxx::Kind{}; }},
 #define PLCXX_FIELD(...)
 #define PLCXX_HIDDEN(...)
 #include "transpiler/ir/states.def"
@@ -72,26 +78,9 @@ constexpr size_t kFirstSlots[] = {
 #undef PLCXX_FIELD
 #undef PLCXX_HIDDEN
 };
+const KindRow& RowOf(ir::StateKind kind) { return kKinds[static_cast<size_t>(kind)]; }
 
-const FieldSlot& SlotOf(ir::StateKind kind, uint8_t field) {
-  return kSlots[kFirstSlots[static_cast<size_t>(kind)] + field];
-}
-
-/// Bytes of the struct of a kind.
-size_t SizeOf(ir::StateKind kind) {
-  switch (kind) {
-#define PLCXX_STATE(Kind, ...) \
-  case ir::StateKind::k##Kind: \
-    return sizeof(plcxx::Kind);
-#define PLCXX_FIELD(...)
-#define PLCXX_HIDDEN(...)
-#include "transpiler/ir/states.def"
-#undef PLCXX_STATE
-#undef PLCXX_FIELD
-#undef PLCXX_HIDDEN
-  }
-  PLCXX_UNREACHABLE();
-}
+const FieldSlot& SlotOf(ir::StateKind kind, uint8_t field) { return kSlots[RowOf(kind).first_slot + field]; }
 
 /// Where byte `i` of an element stands, counted from the least significant one.
 constexpr size_t ByteAt(size_t i, size_t bytes) {
@@ -111,29 +100,13 @@ Instances::Instances(const ir::Program& program) : forced_(program.states.size()
   for (const ir::StateInstance& state : program.states) {
     kinds_.push_back(state.kind);
     at_.push_back(static_cast<uint32_t>(bytes));
-    bytes += (SizeOf(state.kind) + kAlignment - 1) / kAlignment * kAlignment;
+    bytes += (RowOf(state.kind).bytes + kAlignment - 1) / kAlignment * kAlignment;
   }
   bytes_.resize(bytes);
   for (uint32_t i = 0; i < size(); ++i) Zero(i);
 }
 
-/// A struct begins to live there, all 0.
-void Instances::Zero(uint32_t instance) {
-  unsigned char* const bytes = BytesAt(at_[instance]);
-  switch (kinds_[instance]) {
-#define PLCXX_STATE(Kind, ...) \
-  case ir::StateKind::k##Kind: \
-    new (bytes) plcxx::Kind{}; \
-    return;
-#define PLCXX_FIELD(...)
-#define PLCXX_HIDDEN(...)
-#include "transpiler/ir/states.def"
-#undef PLCXX_STATE
-#undef PLCXX_FIELD
-#undef PLCXX_HIDDEN
-  }
-  PLCXX_UNREACHABLE();
-}
+void Instances::Zero(uint32_t instance) { RowOf(kinds_[instance]).begin(BytesAt(at_[instance])); }
 
 uint32_t Instances::PlaceOf(uint32_t instance, uint8_t field) const {
   return at_[instance] + static_cast<uint32_t>(SlotOf(kinds_[instance], field).offset);

@@ -97,12 +97,6 @@ struct Simulator::Functions {
     }
     return Flow::kOn;
   }
-  /// Where no statement is switched off, and nobody asks.
-  static Flow Begin(Simulator& simulator, const Decoded& inst) {
-    if (simulator.is_careful()) return Statement(simulator, inst);
-    simulator.current_ = {.statement = ir::StatementId(inst.payload)};
-    return Flow::kOn;
-  }
   using Function = decltype(Decoded::execute);
 
   static Function LoadOf(const PlaceAccess& access, ir::Type type) {
@@ -164,7 +158,6 @@ struct Simulator::Functions {
     PLCXX_UNREACHABLE();
   }
   static Function Of(ir::OpKind op) {
-    if (op == ir::OpKind::kStatement) return Begin;
     switch (op) {
 #define PLCXX_PURE(Kind, ...) \
   case ir::OpKind::k##Kind:   \

@@ -379,14 +379,20 @@ inline void Start(State& m, unsigned first, TimeWordStep& step, const Plane& sta
   step.running = Choose(starts, some, step.running);
   step.output = Choose(starts, delays ? ~some : some, step.output);
 }
+/// Where the condition is 0, everything ends.
 template <class Word, class M>
-inline Plane StartPulse(State& m, unsigned first, const Plane& condition, const Word& word, const M& active) {
+inline Plane StartWhile(State& m, unsigned first, const Plane& condition, const Word& word, bool delays,
+                        const M& active) {
   TimeWordStep step = BeginStep(m, first);
   StopTime(m, first, ~condition, active);
   step.running &= condition;
   step.output &= condition;
-  Start(m, first, step, condition & ~step.edge, word, false, active);
-  return EndStep(m, first, step, condition, false, active);
+  Start(m, first, step, condition & ~step.edge, word, delays, active);
+  return EndStep(m, first, step, condition, delays, active);
+}
+template <class Word, class M>
+inline Plane StartPulse(State& m, unsigned first, const Plane& condition, const Word& word, const M& active) {
+  return StartWhile(m, first, condition, word, false, active);
 }
 template <class Word, class M>
 inline Plane StartExtended(State& m, unsigned first, const Plane& condition, const Word& word, const M& active) {
@@ -396,12 +402,7 @@ inline Plane StartExtended(State& m, unsigned first, const Plane& condition, con
 }
 template <class Word, class M>
 inline Plane StartOnDelay(State& m, unsigned first, const Plane& condition, const Word& word, const M& active) {
-  TimeWordStep step = BeginStep(m, first);
-  StopTime(m, first, ~condition, active);
-  step.running &= condition;
-  step.output &= condition;
-  Start(m, first, step, condition & ~step.edge, word, true, active);
-  return EndStep(m, first, step, condition, true, active);
+  return StartWhile(m, first, condition, word, true, active);
 }
 template <class Word, class M>
 inline Plane StartLatchedDelay(State& m, unsigned first, const Plane& condition, const Word& word, const M& active) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/solver/model.h"
 #include "transpiler/symbolic/solver/solver.h"
 #include "transpiler/symbolic/terms/cone.h"
@@ -29,22 +30,16 @@ std::vector<AimQuestion> AimQuestionsOf(const Unrolled& unrolled, const Match& m
   return questions;
 }
 
-/// Until the end of a search.
-struct TimeLeft {
-  std::chrono::steady_clock::time_point end;
-
-  int64_t Ms() const {
-    using std::chrono::milliseconds;
-    return std::chrono::duration_cast<milliseconds>(end - std::chrono::steady_clock::now()).count();
-  }
-  bool IsLate() const { return Ms() <= 0; }
-};
+solver::Deadline DeadlineAt(std::chrono::steady_clock::time_point end) {
+  using std::chrono::milliseconds;
+  const auto rest = std::chrono::duration_cast<milliseconds>(end - std::chrono::steady_clock::now());
+  return {solver::Clock::kWall, static_cast<uint64_t>(std::max<int64_t>(0, rest.count()))};
+}
 
 /// How `wanted` becomes true; none: it was not found out, or cannot be.
 std::optional<Run> RunIn(const terms::Terms& terms, solver::Solver& solver, const Unrolled& unrolled,
-                         terms::TermId wanted, uint32_t question_ms, const TimeLeft& left) {
-  const auto limit = solver::Limit::Effort(question_ms).Within(static_cast<uint64_t>(std::max<int64_t>(1, left.Ms())));
-  if (solver.Check({&wanted, 1}, limit) != solver::Answer::kPossible) return std::nullopt;
+                         terms::TermId wanted, uint32_t question_ms, const solver::Deadline& deadline) {
+  if (solver.Check({&wanted, 1}, deadline.LimitFor(question_ms)) != solver::Answer::kPossible) return std::nullopt;
   const std::vector<terms::TermId> cone = terms::ConeOf(terms, {&wanted, 1});
   const std::vector<uint64_t> values = solver::ModelValues(terms, solver, cone);
   return unrolled.RunOf(terms::Justification(terms, cone, values).ReasonsFor(wanted), values);
@@ -58,8 +53,8 @@ void RunsFrom(const UnrolledVersions& versions, const SeenState& state, const st
   terms::Terms terms;
   const solver::LoadedSolver loaded = solver::LoadSolver(terms);
   if (!loaded.solver) return;
-  const TimeLeft left{limits.end};
-  const auto is_late = [&left] { return left.IsLate(); };
+  const solver::Deadline deadline = DeadlineAt(limits.end);
+  const auto is_late = [&deadline] { return deadline.IsOver(); };
   Unrolled unrolled(terms, versions, InputsChange::kOnce);
   unrolled.BeginAt(state.value, state.now_ms);
   std::vector<execute::CellId> open = sought;
@@ -72,7 +67,7 @@ void RunsFrom(const UnrolledVersions& versions, const SeenState& state, const st
       const terms::TermId differ = terms.Ne(question.old_value, question.new_value);
       if (terms.IsFalse(differ) || !is_open(question.cell)) continue;
       ++asked;
-      const std::optional<Run> run = RunIn(terms, *loaded.solver, unrolled, differ, limits.question_ms, left);
+      const std::optional<Run> run = RunIn(terms, *loaded.solver, unrolled, differ, limits.question_ms, deadline);
       if (!run) continue;
       found(*run);
       std::erase(open, question.cell);
@@ -86,12 +81,12 @@ std::optional<Run> RunTo(const UnrolledVersions& versions, const SeenState& stat
   terms::Terms terms;
   const solver::LoadedSolver loaded = solver::LoadSolver(terms);
   if (!loaded.solver) return std::nullopt;
-  const TimeLeft left{limits.end};
+  const solver::Deadline deadline = DeadlineAt(limits.end);
   Unrolled unrolled(terms, versions, InputsChange::kOnce);
   unrolled.BeginAt(state.value, state.now_ms);
   size_t asked = 0;
   for (uint32_t period = 0; period < limits.most_periods && asked < limits.most_questions; ++period) {
-    if (!unrolled.Advance([&left] { return left.IsLate(); }) || left.IsLate()) return std::nullopt;
+    if (!unrolled.Advance([&deadline] { return deadline.IsOver(); }) || deadline.IsOver()) return std::nullopt;
     terms::TermId number;
     for (const execute::CellId cell : wanted.cells) {
       const terms::TermId part = unrolled.Old(cell);
@@ -103,7 +98,7 @@ std::optional<Run> RunTo(const UnrolledVersions& versions, const SeenState& stat
     if (wanted.is_none) is_wanted = terms.Not(is_wanted);
     if (terms.IsFalse(is_wanted)) continue;
     ++asked;
-    if (std::optional<Run> run = RunIn(terms, *loaded.solver, unrolled, is_wanted, limits.question_ms, left))
+    if (std::optional<Run> run = RunIn(terms, *loaded.solver, unrolled, is_wanted, limits.question_ms, deadline))
       return run;
   }
   return std::nullopt;
