@@ -2,6 +2,7 @@
 // number.
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hnc_lowered.h"
@@ -82,6 +83,22 @@ TEST(HncRounds, OfEachKindOfLoop) {
       // Changed where another statement begins.
       {"i = 0; while (i < 10) if (i++ > 3) a++;", 10},
       {"i = 0; while (i < 10) switch (i++) { case 3: a++; }", 10},
+      // Changed once, wherever a round goes.
+      {"i = 0; while (i < 10) { if (b) { i++; continue; } i++; }", 10},
+      {"i = 0; while (i < 10) { if (b) i += 2; else i = i + 2; }", 5},
+      {"i = 0; while (i < 10) { if (b) { if (a) return; i++; } else i++; }", 10},
+      {"i = 0; while (i < 10) { switch (b) { case 1: i++; break; default: i++; } }", 10},
+      {"i = 0; while (i < 10) { if (b) goto over; i++; continue; over: i++; }", 10},
+      {"i = 0; while (i < 10) { do { i++; } while (0); }", 10},
+      {"i = 0; while (i < 10) b ? i++ : (i += 1);", 10},
+      // A comma in the condition.
+      {"i = 0; while (a++, i < 10) i++;", 10},
+      {"i = 0; while (i++, i < 10) a++;", 9},
+      {"i = 0; do a++; while (i++, i < 10);", 10},
+      {"i = 0; while (i++, X[0] && i < 10) a++;", 9},
+      {"i = 0; while (X[0] && (i++, i < 10)) a++;", 9},
+      // The jump back leads to where one from above does.
+      {"i = 0; if (X[0]) goto again; i = 2; again: i++; if (i < 5) goto again;", 5},
       {"i = 0; while (i < 10 && X[0]) i++;", 10},
       {"i = 0; while (X[0] && i < 10) i++;", 10},
       {"i = 0; while (X[0] && i < 10 && X[1]) i++;", 10},
@@ -259,6 +276,32 @@ TEST(HncRounds, WhatIsNoProofIsRefused) {
            "do { a++; goto out; } while (b); out: b = 1;",
        }) {
     EXPECT_THAT(Errors(loop), testing::IsEmpty()) << loop;
+  }
+}
+
+// covers: HNC-254
+TEST(HncRounds, AWayWithoutAChangeOrWithTwo) {
+  const std::string twice = "unbounded loop: its counter is changed in two places",
+                    missing = "unbounded loop: its counter is not changed on every path",
+                    differs = "unbounded loop: its counter does not change by a constant";
+  const std::vector<std::pair<std::string, std::string>> refused = {
+      {"i = 0; while (i < 9) { if (b) i++; i++; }", twice},
+      {"i = 0; while (i < 9) { switch (b) { case 1: i++; default: i++; } }", twice},
+      {"i = 0; while (i < 9) { if (b) goto over; i++; over: i++; }", twice},
+      {"i = 0; while (i < 9) { switch (b) { case 1: i++; break; case 2: i++; } }", missing},
+      {"i = 0; while (i < 9) { if (b) { i++; continue; } if (a) i++; }", missing},
+      {"i = 0; while (i < 9) { again: i++; if (b) goto again; }", missing},
+      {"i = 0; while (i < 9) { for (n = 0; n < 3; n++) i++; }", missing},
+      {"i = 0; while (X[0] ? (i++, i < 9) : b) a++;",
+       "unbounded loop: its condition does not compare a counter with a limit"},
+      {"i = 0; while (i < 9 && (i++, b)) a++;", missing},
+      {"i = 0; while (i++, i < 9) i++;", twice},
+      {"i = 0; while (i < 9) { if (b) i++; else i += 2; }", differs},
+      {"i = 0; while (i < 9) { if (b) i++; else i = 0; }", differs},
+  };
+  for (const auto& [loop, reason] : refused) {
+    const std::vector<std::string> reported = RoundsOf(loop);
+    EXPECT_THAT(reported, testing::Contains(reason)) << loop;
   }
 }
 

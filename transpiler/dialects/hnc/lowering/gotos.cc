@@ -10,6 +10,7 @@
 #include "transpiler/dialects/hnc/lowering/locals.h"
 #include "transpiler/dialects/hnc/lowering/loop_bounds.h"
 #include "transpiler/dialects/hnc/lowering/loops.h"
+#include "transpiler/dialects/hnc/lowering/round_ways.h"
 #include "transpiler/dialects/hnc/lowering/stated_facts.h"
 #include "transpiler/dialects/hnc/lowering/statements.h"
 
@@ -18,14 +19,16 @@ namespace plcxx::hnc {
 void Gotos::LowerLabel(const Statement& statement, Tail tail) {
   const Label& label = unit_.labels[statement.label];
   if (label.used) {
-    const uint32_t number = NumberOf(statement.label);
+    uint32_t number = NumberOf(statement.label);
     // A way back leads here: what it changes is not known, and its rounds are counted from here on.
     std::vector<StatementId> back;
     for (const StatementId jump : jumps_.JumpsTo(label.statement)) {
       if (jumps_.IsLive(jump) && jumps_.IsBefore(label.statement, jump)) back.push_back(jump);
     }
-    path_.PlaceLabel(number);
+    const bool from_above = path_.PlaceLabel(number);
     if (!back.empty()) {
+      // Jumps from above arrive in front of where the rounds begin to be counted.
+      if (from_above) number = goto_labels_[statement.label.index] = path_.NewLabel();
       // Nothing is known where only jumps back lead to.
       if (!flow_.reachable) flow_.ForgetAll();
       flow_.reachable = true;
@@ -62,6 +65,8 @@ void Gotos::PrepareBackJump(const Statement& label, const std::vector<StatementI
     // A second way back would not ask for what the first one asks for.
     std::optional<uint64_t> proved;
     if (jumps.size() == 1) proved = loop_bounds_.IterationsOfGoto(self, jumps.front());
+    // Where the label does not lead to a jump back again, it is reached from above and once from below.
+    if (!proved && !RoundWays(unit_, {}).LeadTo(self, jumps, jumps_.statements().front())) proved = 2;
     if (!proved) {
       diagnostics_.Report(jump.keyword, diag::HncUnboundedLoop,
                           "nothing shows that the jump back to '" + unit_.labels[label.label].name + "' ends");

@@ -12,12 +12,13 @@ void LivePath::JumpTo(uint32_t label) {
   flow_.reachable = false;
 }
 
-void LivePath::PlaceLabel(uint32_t label) {
+bool LivePath::PlaceLabel(uint32_t label) {
   const auto found = targets_.find(label);
-  if (found == targets_.end()) return;
+  if (found == targets_.end()) return false;
   builder_.Label(label);
   flow_.JoinWith(found->second);
   targets_.erase(found);
+  return true;
 }
 
 void LivePath::BeginFunction() {

@@ -25,7 +25,8 @@ class LivePath : Context {
   uint32_t NewLabel() { return next_label_++; }
   void JumpTo(uint32_t label);
   void JumpWhen(ir::ValueId condition, uint32_t label);
-  void PlaceLabel(uint32_t label);
+  /// Whether a jump leads there: else there is none.
+  bool PlaceLabel(uint32_t label);
   void Enter(Exits exits) { around_.push_back(std::move(exits)); }
   /// What is known where the arms of the switch ended.
   std::vector<Flow> Leave();

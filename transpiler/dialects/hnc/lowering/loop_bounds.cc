@@ -1,5 +1,6 @@
 #include "transpiler/dialects/hnc/lowering/loop_bounds.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "transpiler/dialects/hnc/lowering/intervals.h"
 #include "transpiler/dialects/hnc/lowering/jumps.h"
 #include "transpiler/dialects/hnc/lowering/loop_paths.h"
+#include "transpiler/dialects/hnc/lowering/round_ways.h"
 #include "transpiler/dialects/hnc/machine/machine.h"
 #include "transpiler/support/check.h"
 
@@ -18,7 +20,7 @@ struct Relation {
   ExprId counter;  // the lvalue
   ExprId limit;    // none: 0
   BinaryOp op = BinaryOp::kNotEqual;
-  ExprId change;                    // the condition itself changes the counter
+  ExprId change;                    // the condition itself changes the counter: n++ < 5
   bool changes_before = false;      // ++n, --n: the value after the change is compared
   std::vector<Bounds> conversions;  // the types that it is converted to before it is compared
 };
@@ -46,6 +48,33 @@ bool FindCounter(const Unit& unit, ExprId side, Relation& relation) {
   relation.changes_before =
       expr.increment == IncrementOp::kPreIncrement || expr.increment == IncrementOp::kPreDecrement;
   return true;
+}
+
+/// A side of the condition that has to hold for another round.
+struct Conjunct {
+  ExprId holds;
+  std::vector<ExprId> before;  // evaluated first: the left sides of commas
+};
+
+/// That none of `a || b` holds is what both of `!a && !b` say.
+std::vector<Conjunct> ConjunctsOf(const Unit& unit, const LoopShape& loop) {
+  const ExprKind joins = loop.holds ? ExprKind::kAnd : ExprKind::kOr;
+  std::vector<Conjunct> conjuncts, open = {{.holds = loop.condition, .before = {}}};
+  while (!open.empty()) {
+    Conjunct one = std::move(open.back());
+    open.pop_back();
+    const Expr& expr = unit.expressions[one.holds];
+    if (expr.kind == joins) {
+      open.push_back({.holds = expr.a, .before = one.before});
+      open.push_back({.holds = expr.b, .before = std::move(one.before)});
+    } else if (expr.kind == ExprKind::kComma) {
+      one.before.push_back(expr.a);
+      open.push_back({.holds = expr.b, .before = std::move(one.before)});
+    } else {
+      conjuncts.push_back(std::move(one));
+    }
+  }
+  return conjuncts;
 }
 
 /// A call whose result may differ though nothing changes its arguments.
@@ -163,24 +192,20 @@ std::optional<LoopProof> LoopBounds::Prove(const LoopShape& loop, Refusal& refus
       }
     });
   }
-  // That none of `a || b` holds is what both of `!a && !b` say.
-  std::vector<ExprId> conjuncts;
-  const ExprKind joins = loop.holds ? ExprKind::kAnd : ExprKind::kOr;
-  ExprId left = loop.condition;
-  for (; ExprAt(left).kind == joins; left = ExprAt(left).a) conjuncts.push_back(ExprAt(left).b);
-  conjuncts.push_back(left);
+  std::vector<Conjunct> conjuncts = ConjunctsOf(unit_, loop);
   std::optional<LoopProof> best;
   for (size_t i = conjuncts.size(); i-- > 0;) {
-    const std::optional<LoopProof> proof = ProveBy(conjuncts[i], loop, parts, declared, refusal);
+    const std::optional<LoopProof> proof =
+        ProveBy(conjuncts[i].holds, conjuncts[i].before, loop, parts, declared, refusal);
     if (proof && (!best || proof->count.iterations < best->count.iterations)) best = proof;
   }
   return best;
 }
 
-/// The only store into the cell; more than one, or one that is not plain: none.
-std::optional<ExprId> LoopBounds::OnlyStore(const Cell& cell, const std::vector<ExprId>& parts,
-                                            Refusal& refusal) const {
-  std::optional<ExprId> only;
+/// The stores into the cell; one that is not plain: none.
+std::optional<std::vector<ExprId>> LoopBounds::StoresInto(const Cell& cell, const std::vector<ExprId>& parts,
+                                                          Refusal& refusal) const {
+  std::vector<ExprId> found;
   for (const ExprId id : parts) {
     const Expr& expr = ExprAt(id);
     if (!facts_.MayChange(expr, cell)) continue;
@@ -197,14 +222,52 @@ std::optional<ExprId> LoopBounds::OnlyStore(const Cell& cell, const std::vector<
       refusal.Add(ProofStep::kChange, "its counter is changed in part");
       return std::nullopt;
     }
-    if (only) {
-      refusal.Add(ProofStep::kChange, "its counter is changed in two places");
-      return std::nullopt;
-    }
-    only = id;
+    found.push_back(id);
   }
-  if (!only) refusal.Add(ProofStep::kCounter, "nothing in it changes its counter");
-  return only;
+  if (found.empty()) {
+    refusal.Add(ProofStep::kCounter, "nothing in it changes its counter");
+    return std::nullopt;
+  }
+  return found;
+}
+
+/// The constant by which each way through an iteration changes the counter once. `in_comparison` is the n++ of `n++ <
+/// 5`, `before` what the condition has evaluated in front of the comparison.
+std::optional<LoopBounds::Change> LoopBounds::ChangeOf(const Cell& counter, ExprId in_comparison,
+                                                       const std::vector<ExprId>& before, const LoopShape& loop,
+                                                       const std::vector<ExprId>& parts, Refusal& refusal) const {
+  const auto refuse = [&](const char* why) {
+    refusal.Add(ProofStep::kChange, why);
+    return std::nullopt;
+  };
+  const std::optional<std::vector<ExprId>> stores = StoresInto(counter, parts, refusal);
+  if (!stores) return std::nullopt;
+  const auto count_in = [&](ExprId root) {
+    size_t count = 0;
+    ForEachExpr(unit_, root, [&](ExprId id) { count += std::ranges::count(*stores, id); });
+    return count;
+  };
+  size_t moved = 0;
+  for (const ExprId id : before) moved += count_in(id);
+  Ways ways{.once = true};
+  if (in_comparison.valid()) {
+    if (stores->size() > 1) ways = {.more = true};
+  } else if (loop.is_statement) {
+    ways = RoundWays(unit_, *stores).Of(loop);
+    if (count_in(loop.condition) != moved || (moved != 0 && moved != stores->size())) ways.never = true;
+  } else if (stores->size() > 1) {
+    ways = {.more = true};
+  } else if (!paths_.IsInEveryIteration(stores->front(), loop)) {
+    ways = {.never = true};
+  }
+  if (ways.more && stores->size() > 1) return refuse("its counter is changed in two places");
+  const std::optional<int64_t> step = StepOf(ExprAt(stores->front()), counter);
+  const auto is_same = [&](ExprId id) { return StepOf(ExprAt(id), counter) == step; };
+  if (!step || *step == 0 || !std::ranges::all_of(*stores, is_same)) {
+    return refuse("its counter does not change by a constant");
+  }
+  if (ways.never || ways.more) return refuse("its counter is not changed on every path");
+  return Change{.step = *step, .in_condition = in_comparison.valid() || moved != 0, .is_before = moved != 0};
 }
 
 /// Whether nothing in the loop changes what the limit reads.
@@ -231,8 +294,9 @@ bool LoopBounds::IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) con
   return unchanged;
 }
 
-std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const LoopShape& loop, const std::vector<ExprId>& parts,
-                                             const ObjectSet& declared, Refusal& refusal) {
+std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const std::vector<ExprId>& before, const LoopShape& loop,
+                                             const std::vector<ExprId>& parts, const ObjectSet& declared,
+                                             Refusal& refusal) {
   ExprId root = conjunct;
   bool negated = !loop.holds;
   while (ExprAt(root).kind == ExprKind::kUnary && ExprAt(root).unary == UnaryOp::kNot) {
@@ -257,18 +321,9 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const LoopShape& l
     if (!counter) continue;
     const Cell cell = *counter;
     const Type& type = TypeAt(ExprAt(relation.counter).type);
-    const std::optional<ExprId> store = OnlyStore(cell, parts, refusal);
-    if (!store || declared.Has(cell.object)) continue;
-    const std::optional<int64_t> step = StepOf(ExprAt(*store), cell);
-    if (!step || *step == 0) {
-      refusal.Add(ProofStep::kChange, "its counter does not change by a constant");
-      continue;
-    }
-    const bool in_condition = relation.change.valid();
-    if (in_condition ? *store != relation.change : !paths_.IsInEveryIteration(*store, loop)) {
-      refusal.Add(ProofStep::kChange, "its counter is not changed on every path");
-      continue;
-    }
+    const std::optional<Change> change = ChangeOf(cell, relation.change, before, loop, parts, refusal);
+    if (!change || declared.Has(cell.object)) continue;
+    const int64_t step = change->step;
     if (relation.limit.valid() && !IsUnchanged(relation.limit, parts)) {
       const std::string called = CalledIn(unit_, relation.limit);
       refusal.Add(ProofStep::kLimit, called.empty()
@@ -280,14 +335,14 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const LoopShape& l
     const Bounds all = BoundsOf(type);
     const std::optional<Bounds> known = flow_.Find(cell);
     const Bounds entered = known && known->Within(all) ? *known : all;
-    const bool moved = relation.changes_before || (!loop.tests_first && !in_condition);
-    Bounds start = moved ? Bounds{entered.low + *step, entered.high + *step} : entered;
+    const bool moved = relation.changes_before || change->is_before || (!loop.tests_first && !change->in_condition);
+    Bounds start = moved ? Bounds{entered.low + step, entered.high + step} : entered;
     if (!start.Within(all)) start = entered.IsOne() ? Wrapped(start, all) : all;
     CountedLoop counted{
         .op = relation.op,
         .start = start,
         .limit = relation.limit.valid() ? intervals_.BoundsOfExpr(relation.limit, Origin::kDeclared) : Bounds{0, 0},
-        .step = *step,
+        .step = step,
         .type = all,
         .wraps = !type.is_signed,
         .conversions = relation.conversions};
@@ -296,12 +351,12 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const LoopShape& l
       refusal.Add(ProofStep::kRange, "its counter may step over the end of its type before the condition fails");
       continue;
     }
-    LoopProof proof{.count = *count, .counter = cell, .knows_values = !in_condition};
+    LoopProof proof{.count = *count, .counter = cell, .knows_values = !change->in_condition};
     if (relation.limit.valid() && intervals_.BoundsOfExpr(relation.limit, Origin::kTested) != counted.limit) {
       proof.rests_on_memory = true;
       const auto last = static_cast<int64_t>(count->iterations);
       const auto reached = [&](int64_t changes) {
-        return Join(start, {start.low + *step * changes, start.high + *step * changes});
+        return Join(start, {start.low + step * changes, start.high + step * changes});
       };
       proof.count.at_test = reached(last);
       proof.count.in_body = last == 0 ? std::nullopt : std::optional(reached(last - 1));

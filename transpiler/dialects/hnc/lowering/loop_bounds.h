@@ -25,12 +25,22 @@ class LoopBounds : Context {
   std::optional<uint64_t> IterationsOfGoto(StatementId label, StatementId jump);
 
  private:
+  /// Of a counter in an iteration.
+  struct Change {
+    int64_t step = 0;
+    bool in_condition = false;
+    bool is_before = false;  // in the condition, in front of the comparison: `n++, n < 5`
+  };
+
   ExprId Unwidened(ExprId id, uint32_t bits) const;
   std::optional<int64_t> StepOf(const Expr& expr, const Cell& counter) const;
-  std::optional<ExprId> OnlyStore(const Cell& cell, const std::vector<ExprId>& parts, Refusal& refusal) const;
+  std::optional<std::vector<ExprId>> StoresInto(const Cell& cell, const std::vector<ExprId>& parts,
+                                                Refusal& refusal) const;
+  std::optional<Change> ChangeOf(const Cell& counter, ExprId in_comparison, const std::vector<ExprId>& before,
+                                 const LoopShape& loop, const std::vector<ExprId>& parts, Refusal& refusal) const;
   bool IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const;
-  std::optional<LoopProof> ProveBy(ExprId conjunct, const LoopShape& loop, const std::vector<ExprId>& parts,
-                                   const ObjectSet& declared, Refusal& refusal);
+  std::optional<LoopProof> ProveBy(ExprId conjunct, const std::vector<ExprId>& before, const LoopShape& loop,
+                                   const std::vector<ExprId>& parts, const ObjectSet& declared, Refusal& refusal);
 
   Jumps& jumps_;
   Intervals& intervals_;

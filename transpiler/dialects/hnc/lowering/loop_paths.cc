@@ -25,9 +25,8 @@ bool LoopPaths::IsUnconditional(ExprId change, ExprId root) const {
 }
 
 bool LoopPaths::IsInEveryIteration(ExprId change, const LoopShape& loop) const {
-  if (loop.step.valid() && IsUnconditional(change, loop.step)) return true;
   for (const StatementId test : loop.tests) {
-    if (IsUnconditional(change, unit_.statements[test].expression)) return !IsJumpedOver(test, loop);
+    if (IsUnconditional(change, unit_.statements[test].expression)) return !IsPassedBy(test, loop);
   }
   // Statements one after the other.
   std::vector<StatementId> list(loop.body.rbegin(), loop.body.rend());
@@ -49,36 +48,7 @@ bool LoopPaths::IsInEveryIteration(ExprId change, const LoopShape& loop) const {
     const bool first = statement.kind == StatementKind::kFor && statement.first.valid();
     if (((plain || head) && IsUnconditional(change, statement.expression)) ||
         (first && IsUnconditional(change, statement.first))) {
-      return !IsJumpedOver(id, loop);
-    }
-  }
-  return false;
-}
-
-/// Whether a jump inside of an iteration leads over the place, or back in front of it: `continue` of this loop, `goto`.
-bool LoopPaths::IsJumpedOver(StatementId place, const LoopShape& loop) const {
-  if (!loop.is_statement) return IsPassedBy(place, loop);  // `continue` belongs to a loop around it, and leaves it
-  bool over = false;
-  for (const StatementId part : loop.body) {
-    if (!part.valid()) continue;
-    ForEachStatement(unit_, part, [&](StatementId id) {
-      const Statement& jump = unit_.statements[id];
-      const bool in_front = jumps_.IsBefore(id, place);
-      if (jump.kind == StatementKind::kContinue) over = over || (in_front && !GoesToInnerLoop(id, loop));
-      if (jump.kind != StatementKind::kGoto || !jump.label.valid()) return;
-      const Label& label = unit_.labels[jump.label];
-      const bool leads_in_front = label.statement == place || jumps_.IsBefore(label.statement, place);
-      if (jumps_.IsPartOf(label.statement, loop.body)) over = over || in_front != leads_in_front;
-    });
-  }
-  return over;
-}
-
-/// Whether the `continue` belongs to a loop in the body.
-bool LoopPaths::GoesToInnerLoop(StatementId id, const LoopShape& loop) const {
-  for (StatementId at = jumps_.ParentOf(id); at.valid(); at = jumps_.ParentOf(at)) {
-    if (IsLoop(unit_.statements[at].kind)) {
-      return std::ranges::find(loop.body, unit_.statements[at].then) == loop.body.end();
+      return !IsPassedBy(id, loop);
     }
   }
   return false;

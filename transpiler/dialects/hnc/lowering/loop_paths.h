@@ -1,4 +1,4 @@
-// Ways through one iteration of a loop: whether a place is passed exactly once in each that comes to the next test.
+// Ways from a label to a goto back to it: whether a place is passed exactly once in each round.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ class LoopPaths : Context {
  public:
   LoopPaths(const Context& context, Jumps& jumps) : Context(context), jumps_(jumps) {}
 
-  /// Whether the change is executed exactly once in each iteration that comes to the next test.
+  /// Whether the change is executed exactly once in each round that comes to the jump back.
   bool IsInEveryIteration(ExprId change, const LoopShape& loop) const;
   /// The statements that are executed from the label on in every round that comes to the jump, and the tests around it;
   /// false: the way is not straight.
@@ -26,8 +26,6 @@ class LoopPaths : Context {
 
  private:
   bool IsUnconditional(ExprId change, ExprId root) const;
-  bool IsJumpedOver(StatementId place, const LoopShape& loop) const;
-  bool GoesToInnerLoop(StatementId id, const LoopShape& loop) const;
 
   Jumps& jumps_;
 };
