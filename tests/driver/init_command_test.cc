@@ -84,6 +84,17 @@ TEST(InitCommand, DeclarationsComeFirstThoughNothingButAWarningSaysSo) {
   EXPECT_THAT(work.Read("plcxx.yaml"), HasSubstr("sources: [b.plc, a.plc]"));
 }
 
+TEST(InitCommand, ColumnsAreLettersAndNotBytes) {
+  const Workplace work;
+  for (const std::string name : {"ШЛИФ.plc", "a.plc", "ДЛИННОЕ_ИМЯ_ФАЙЛА_1.plc"})
+    work.Write(name, "$\n; " + name + "\n");
+  const Ran init = work.Run("init --dialect nc110");
+  EXPECT_THAT(init.out, AllOf(HasSubstr("\n          ШЛИФ.plc                 source "),
+                              HasSubstr("\n          a.plc                    source "),
+                              HasSubstr("\n          ДЛИННОЕ_ИМЯ_ФАЙЛА_1.plc  source ")))
+      << init;
+}
+
 TEST(InitCommand, WhatASourceIncludesKeepsItsBytesToo) {
   const Workplace work;
   work.Write(

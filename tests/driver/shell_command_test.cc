@@ -56,6 +56,32 @@ TEST(DidYouMean, CommandsOptionsAndLocations) {
               HasSubstr("s.yaml:4:12: 'UA40' is no location of dialect nc110, did you mean 'U4A0'"));
 }
 
+TEST(DidYouMean, WordsThatMessagesList) {
+  const Workplace work;
+  work.Write("ok.plc", kGoodProgram);
+  struct Misspelt {
+    const char *command, *message;
+  };
+  const Misspelt kMisspelt[] = {
+      {"print schem", "unknown phase 'schem', did you mean 'schema': choose one of source, "},
+      {"print whatever ok.plc", "unknown phase 'whatever': choose one of source, "},
+      {"manual chek", "'chek' is no command of plcxx, did you mean 'check': "},
+      {"completion bassh", "'bassh' is no shell that plcxx knows, did you mean 'bash': bash, zsh, fish"},
+      {"build ok.plc --target cortexm4", "'cortexm4' is no target, did you mean 'cortex-m4'; there are: host, "},
+      {"test ok.yaml --engine simm", "there is no engine 'simm', did you mean 'sim'; there are "},
+      {"check ok.plc --encoding kamenick", "unknown encoding 'kamenick', did you mean 'kamenicky': "},
+      {"check ok.plc --dialect nc10", "'nc10' is no dialect, did you mean 'nc110' [plcxx-1]"},
+      {"check ok.plc --set slics=2", "'slics' is no option of dialect nc110, did you mean 'slices' [plcxx-2]"},
+      {"init --dialect hst50", "unknown dialect 'hst50', did you mean 'host50': "},
+  };
+  work.Write("ok.yaml", "dialect: nc110\nsources: [ok.plc]\n");
+  for (const Misspelt& misspelt : kMisspelt) {
+    const Ran ran = work.Run(misspelt.command);
+    EXPECT_EQ(ran.code, 2) << ran;
+    EXPECT_THAT(ran.errors, HasSubstr(misspelt.message));
+  }
+}
+
 TEST(Completion, OfEveryShellHasEveryCommand) {
   const Workplace work;
   for (const std::string shell : {"bash", "zsh", "fish"}) {

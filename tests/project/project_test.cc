@@ -86,6 +86,9 @@ TEST(Project, APatternMeansAllTheOthers) {
   folder.Write("sub/deep/e.plc", "$\n");
   EXPECT_THAT(folder.Only("sources: [a.sym, '*.plc']\n").sources, ElementsAre("a.sym", "b.plc", "c.plc"));
   EXPECT_THAT(folder.Only("sources: [c.plc, '*.plc']\n").sources, ElementsAre("c.plc", "b.plc"));
+  EXPECT_THAT(folder.Only("sources: [./c.plc, '*.plc', '?.plc']\n").sources, ElementsAre("./c.plc", "b.plc"));
+  EXPECT_THAT(folder.Only("sources: b.plc\nscenarios: [c.plc, '*.plc']\n").scenarios,
+              ElementsAre(folder.Path("c.plc"), folder.Path("b.plc")));
   EXPECT_THAT(folder.Only("sources: ['?.plc', b.plc]\n").sources, ElementsAre("c.plc", "b.plc"));
   EXPECT_THAT(folder.Only("sources: '**/*.plc'\n").sources,
               ElementsAre("b.plc", "c.plc", "sub/d.plc", "sub/deep/e.plc"));
@@ -181,7 +184,8 @@ TEST(Project, EveryWrongValueIsRefusedAtItsPlace) {
       {"encoding: cp868", "2:11: 'cp868' is no encoding; there are: "},
       {"options: [a]", "2:10: 'options' is a map '{key: value}'"},
       {"options: {speed: 2}", "2:11: 'speed' is no option of dialect nc110\n  help: its options are: "},
-      {"options: {slics: 2}", "2:11: 'slics' is no option of dialect nc110\n  help: did you mean 'slices'"},
+      {"options: {slics: 2}",
+       "2:11: 'slics' is no option of dialect nc110, did you mean 'slices'\n  help: its options are: "},
       {"options: {slices: 99}", "2:19: value '99' of option 'slices' is not valid\n  help: expected 1..64 or auto"},
       {"options: {facts: maybe}",
        "2:18: value 'maybe' of option 'facts' is not valid\n  help: expected trusted or checked"},
@@ -193,6 +197,7 @@ TEST(Project, EveryWrongValueIsRefusedAtItsPlace) {
       {"warnings: {disable: no-W356}", "2:21: 'no-W356' names no warning"},
       {"warnings: {errors: error}", "2:20: 'error' names no warning"},
       {"scenarios: nothing.yaml", "2:12: there is no file 'DIR/nothing.yaml'"},
+      {"scenarios: [a.sym, ./a.sym]", "2:20: './a.sym' is named twice\n  help: name each file once"},
       {"scenarios: b.plx", "2:12: there is no file 'DIR/b.plx'\n  help: did you mean 'b.plc'"},
       {"targets: cortex-m4x", "2:10: 'cortex-m4x' is no target; there are: "},
       {"targets: {cortex-m4x: {}}", "2:11: 'cortex-m4x' is no target; there are: "},
@@ -222,6 +227,8 @@ TEST(Project, SourcesHaveToBeThere) {
               ElementsAre("1:1: 'sources' is missing\n  help: name the files of the program, in their order"));
   EXPECT_THAT(folder.Errors("sources: [b.plc, d.plcc]\n"), ElementsAre("1:18: there is no file 'DIR/d.plcc'"));
   EXPECT_THAT(folder.Errors("sources: '*.il'\n"), ElementsAre("1:10: no file is called '*.il'"));
+  EXPECT_THAT(folder.Errors("sources: [b.plc, a.sym, b.plc]\n"),
+              ElementsAre("1:25: 'b.plc' is named twice\n  help: name each file once"));
   EXPECT_THAT(folder.Errors("sources: []\n"), ElementsAre("1:10: 'sources' names no file"));
   EXPECT_THAT(folder.Errors("sources: ../../*.plc\n"), ElementsAre(HasSubstr("is outside of the project DIR")));
   EXPECT_THAT(folder.Errors("sources: [/etc/passwd]\n"), ElementsAre(HasSubstr("is outside of the project DIR")));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "transpiler/source/columns.h"
+
 namespace plcxx::source {
 namespace {
 
@@ -36,6 +38,16 @@ TEST(Characters, DisplayWidth) {
   EXPECT_EQ(DisplayWidth(U'Ａ'), 2u);  // fullwidth
   EXPECT_EQ(DisplayWidth(U'ｱ'), 1u);   // halfwidth
   EXPECT_EQ(DisplayWidth(U'\u0301'), 0u);
+}
+
+TEST(Columns, AreLettersAndNotBytes) {
+  EXPECT_EQ(ColumnsOf("SHLIF"), 5u);
+  EXPECT_EQ(ColumnsOf("ШЛИФ"), 4u);
+  EXPECT_EQ(ColumnsOf("泵1"), 3u);
+  EXPECT_EQ(ColumnsOf("\xFF"), 1u);
+  EXPECT_EQ(LeftAligned("ШЛИФ", 6) + "|", "ШЛИФ  |");
+  EXPECT_EQ(RightAligned("泵", 4), "  泵");
+  EXPECT_EQ(LeftAligned("longer", 3), "longer");
 }
 
 }  // namespace

@@ -120,11 +120,11 @@ void Pipeline::Load() {
   compilation_.dialect->check_options(compilation_.options, compilation_.diagnostics);
   if (!request_.macros.empty() && !compilation_.dialect->takes_macros) {
     compilation_.diagnostics.Report({}, diag::UnknownOption, request_.macros.front().text ? "-D" : "-U",
-                                    compilation_.dialect->name, "those of --set, and -I");
+                                    compilation_.dialect->name, "those of --set, and -I", "");
   }
   if (!request_.system_include_directories.empty() && !compilation_.dialect->takes_system_includes) {
     compilation_.diagnostics.Report({}, diag::UnknownOption, "--system-include", compilation_.dialect->name,
-                                    "those of --set, and -I");
+                                    "those of --set, and -I", "");
   }
   if (compilation_.diagnostics.error_count() > before) compilation_.wrong_use = true;
 }

@@ -13,6 +13,7 @@
 #include "transpiler/compilation/dialect_choice.h"
 #include "transpiler/source/decode.h"
 #include "transpiler/source/read_bytes.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::compilation {
 namespace {
@@ -123,7 +124,8 @@ void ReportNoDialect(const std::string& name, const std::string& path, diag::Eng
   if (name.empty()) {
     diagnostics.Report({}, diag::UnknownDialect, path, DialectNames());
   } else {
-    diagnostics.Report({}, diag::UnknownDialectName, name, DialectNames());
+    diagnostics.Report({}, diag::UnknownDialectName, name, DialectNames(),
+                       support::DidYouMeanOneOf(name, DialectNames()));
   }
 }
 

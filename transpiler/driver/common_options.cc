@@ -8,7 +8,9 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/source/columns.h"
+#include "transpiler/support/listed.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
 namespace {
@@ -107,7 +109,7 @@ constexpr std::string_view kFactsMeaning = "what plcxx decides from becomes asse
 
 std::string OptionLine(std::string_view key, const std::string& meaning) {
   constexpr size_t kKeyWidth = 20;
-  std::string line = support::LeftAligned("  " + std::string(key), kKeyWidth);
+  std::string line = source::LeftAligned("  " + std::string(key), kKeyWidth);
   if (line.back() != ' ') line += ' ';
   return line + meaning + "\n";
 }
@@ -150,7 +152,7 @@ std::string DialectKeysText() {
   std::string text = "Options of the dialects (--set KEY=VALUE); plcxx emit --dialect NAME --help says what they do:\n";
   for (const dialects::Dialect* dialect : dialects::AllDialects()) {
     // A name that is longer than the column has a blank after it, too.
-    std::string line = support::LeftAligned("  " + std::string(dialect->name) + " ", kNameWidth);
+    std::string line = source::LeftAligned("  " + std::string(dialect->name) + " ", kNameWidth);
     for (const dialects::OptionInfo& option : dialect->options) {
       const bool last = &option == &dialect->options.back();
       if (line.size() + 1 + option.key.size() >= kMostColumns) {
@@ -161,7 +163,7 @@ std::string DialectKeysText() {
     }
     text += line + "\n";
   }
-  return text + support::LeftAligned("  all", kNameWidth) + std::string(compilation::kFactsOption) + "\n";
+  return text + source::LeftAligned("  all", kNameWidth) + std::string(compilation::kFactsOption) + "\n";
 }
 
 }  // namespace
@@ -198,7 +200,8 @@ std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& 
   if (!options.encoding.empty() && options.encoding != "auto") {
     request.encoding = source::EncodingByName(options.encoding);
     if (!request.encoding) {
-      PrintUsageError("unknown encoding '" + options.encoding + "': choose one of auto, " +
+      PrintUsageError("unknown encoding '" + options.encoding + "'" +
+                      support::DidYouMean(options.encoding, source::EncodingNames()) + ": choose one of auto, " +
                       support::CommaSeparated(source::EncodingNames()));
       return std::nullopt;
     }

@@ -5,7 +5,7 @@
 
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/measure/figures.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/source/columns.h"
 #include "transpiler/support/counted.h"
 
 namespace plcxx::driver {
@@ -72,9 +72,9 @@ std::string ReportText(const compilation::Compilation& compilation) {
                      support::Counted(compilation.summary.statements, "statement") + ", " +
                      CountText(compilation.diagnostics) + "\n";
   for (const compilation::PartitionEstimate& partition : compilation.estimates.partitions) {
-    text += "  " + support::LeftAligned(partition.name, 6) +
-            support::RightAligned(std::to_string(Microseconds(partition.time_ns)), 8) + " us" +
-            support::RightAligned(std::to_string(partition.code_bytes), 10) + " bytes\n";
+    text += "  " + source::LeftAligned(partition.name, 6) +
+            source::RightAligned(std::to_string(Microseconds(partition.time_ns)), 8) + " us" +
+            source::RightAligned(std::to_string(partition.code_bytes), 10) + " bytes\n";
   }
   if (compilation.estimates.slow_period_ms > 0) {
     text += "  slow part in " + support::Counted(compilation.estimates.slices, "slice") + ", period " +

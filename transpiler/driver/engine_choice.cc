@@ -11,6 +11,7 @@
 
 #include "transpiler/driver/terminal.h"
 #include "transpiler/fleet/library.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
 namespace {
@@ -104,7 +105,8 @@ class Choice {
                       " of plcxx's sources, and is no engine of this command");
       return false;
     }
-    PrintUsageError("there is no engine '" + std::string(name) + "'; there are " + EngineNames());
+    PrintUsageError("there is no engine '" + std::string(name) + "'" + support::DidYouMeanOneOf(name, EngineNames()) +
+                    "; there are " + EngineNames());
     return false;
   }
 

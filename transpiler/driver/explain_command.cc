@@ -14,7 +14,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {

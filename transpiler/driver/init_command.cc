@@ -15,7 +15,8 @@
 #include "transpiler/driver/terminal.h"
 #include "transpiler/project/project.h"
 #include "transpiler/project/proposal.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/source/columns.h"
+#include "transpiler/support/near_words.h"
 #include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
@@ -38,15 +39,18 @@ struct InitSettings {
 
 void Say(const std::string& what, const std::string& text) {
   constexpr size_t kWidth = 10;
-  std::cout << support::LeftAligned(what, kWidth) << diag::Escaped(text) << '\n';
+  std::cout << source::LeftAligned(what, kWidth) << diag::Escaped(text) << '\n';
 }
 
 void Show(const project::ProposedProgram& program) {
-  constexpr size_t kNameWidth = 18, kWhatWidth = 10;
+  constexpr size_t kWhatWidth = 10;
+  size_t name_width = 18;
+  for (const project::ProposedFile& file : program.files)
+    name_width = std::max(name_width, source::ColumnsOf(file.name));
   Say("program", program.name + (program.folder.empty() ? "" : ", in " + program.folder));
   Say("dialect", program.dialect + ": " + program.why_dialect);
   for (const project::ProposedFile& file : program.files) {
-    Say("", support::LeftAligned(file.name, kNameWidth) + "  " + support::LeftAligned(file.what, kWhatWidth) +
+    Say("", source::LeftAligned(file.name, name_width) + "  " + source::LeftAligned(file.what, kWhatWidth) +
                 (file.encoding.empty() ? "" : file.encoding + ", ") + file.reason);
   }
   if (program.sources.empty()) return;
@@ -83,7 +87,9 @@ int RunInit(const InitSettings& settings) {
     return UsageError("'" + folder + "' is no folder");
   }
   if (!settings.dialect.empty() && dialects::DialectByName(settings.dialect) == nullptr) {
-    return UsageError("unknown dialect '" + settings.dialect + "': choose one of " + compilation::DialectNames());
+    return UsageError("unknown dialect '" + settings.dialect + "'" +
+                      support::DidYouMeanOneOf(settings.dialect, compilation::DialectNames()) + ": choose one of " +
+                      compilation::DialectNames());
   }
   std::vector<project::ProposedProgram> programs = project::ProposePrograms(folder, settings.dialect);
   if (programs.empty()) {

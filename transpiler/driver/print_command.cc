@@ -20,6 +20,7 @@
 #include "transpiler/plant/schema.h"
 #include "transpiler/project/schema.h"
 #include "transpiler/source/decode.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
 namespace {
@@ -152,7 +153,8 @@ int RunPrintOf(const PrintSettings& settings) {
     return kDone;
   }
   if (PhaseByName(settings.phase) == nullptr) {
-    return UsageError("unknown phase '" + settings.phase + "': choose one of " + PhaseNames());
+    return UsageError("unknown phase '" + settings.phase + "'" +
+                      support::DidYouMeanOneOf(settings.phase, PhaseNames()) + ": choose one of " + PhaseNames());
   }
   return RunForPrograms(settings, RunPrint, Result::kUnnamed);
 }

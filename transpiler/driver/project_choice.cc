@@ -15,7 +15,7 @@
 #include "transpiler/driver/gathered_output.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
@@ -36,9 +36,7 @@ const project::Program* ProgramOf(const project::Project& project, const std::st
   const project::Program* program = project::FindProgram(project, name);
   if (program != nullptr) return program;
   const std::vector<std::string> names = NamesOf(project);
-  const std::string near(support::NearestWord(name, std::vector<std::string_view>(names.begin(), names.end())));
-  PrintUsageError("there is no program '" + name + "' in " + project.path +
-                  (near.empty() ? "" : ", did you mean '" + near + "'") +
+  PrintUsageError("there is no program '" + name + "' in " + project.path + support::DidYouMean(name, names) +
                   "; there are: " + support::CommaSeparated(names));
   return nullptr;
 }

@@ -24,7 +24,7 @@
 #include "transpiler/report/ladder_pictures.h"
 #include "transpiler/report/page.h"
 #include "transpiler/scenarios/near_location.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/source/columns.h"
 
 namespace plcxx::driver {
 namespace {
@@ -148,8 +148,8 @@ void PrintSymbols(const compilation::Compilation& compilation) {
   }
   std::cout << "symbol            operand   reads  writes\n";
   for (const auto& [name, row] : rows) {
-    std::cout << support::LeftAligned(diag::Escaped(name), 17) << ' ' << support::LeftAligned(row.address, 9) << ' '
-              << support::LeftAligned(std::to_string(row.uses == nullptr ? 0 : row.uses->reads.size()), 6) << ' '
+    std::cout << source::LeftAligned(diag::Escaped(name), 17) << ' ' << source::LeftAligned(row.address, 9) << ' '
+              << source::LeftAligned(std::to_string(row.uses == nullptr ? 0 : row.uses->reads.size()), 6) << ' '
               << (row.uses == nullptr ? 0 : row.uses->writes.size()) << '\n';
   }
 }
@@ -179,8 +179,8 @@ void PrintCosts(const compilation::Compilation& compilation) {
     for (const cost::StatementCost& statement : estimate.statements) {
       const source::Range range = program.statements[statement.statement].range;
       const std::string_view text = compilation.sources->Text(range);
-      std::cout << "  " << support::LeftAligned(std::to_string(statement.own.time_ns) + " ns", 9)
-                << support::LeftAligned(std::to_string(statement.own.code_bytes) + " bytes", 11)
+      std::cout << "  " << source::LeftAligned(std::to_string(statement.own.time_ns) + " ns", 9)
+                << source::LeftAligned(std::to_string(statement.own.code_bytes) + " bytes", 11)
                 << PlacesText(compilation, {range}) << "  " << diag::Escaped(text.substr(0, text.find_first_of("\r\n")))
                 << '\n';
     }
@@ -195,8 +195,8 @@ void PrintResources(const compilation::Compilation& compilation) {
   }
   std::cout << "resource          used    available\n";
   for (const dialects::ResourceUse& resource : compilation.summary.resources) {
-    std::cout << support::LeftAligned(std::string(resource.name), 17) << ' '
-              << support::LeftAligned(std::to_string(resource.used), 7) << ' ' << resource.available << '\n';
+    std::cout << source::LeftAligned(std::string(resource.name), 17) << ' '
+              << source::LeftAligned(std::to_string(resource.used), 7) << ' ' << resource.available << '\n';
   }
 }
 
@@ -206,12 +206,12 @@ void PrintLists(const compilation::Compilation& compilation) {
   for (const dialects::SummaryTable& table : compilation.summary.tables) {
     std::vector<size_t> widths;
     for (size_t i = 0; i < table.columns.size(); ++i) {
-      widths.push_back(table.columns[i].size());
-      for (const auto& row : table.rows) widths[i] = std::max(widths[i], row[i].size());
+      widths.push_back(source::ColumnsOf(table.columns[i]));
+      for (const auto& row : table.rows) widths[i] = std::max(widths[i], source::ColumnsOf(row[i]));
     }
     const auto line = [&widths](const std::vector<std::string>& row) {
       std::string text = " ";
-      for (size_t i = 0; i < row.size(); ++i) text += ' ' + support::LeftAligned(row[i], widths[i] + 1);
+      for (size_t i = 0; i < row.size(); ++i) text += ' ' + source::LeftAligned(row[i], widths[i] + 1);
       std::cout << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
     };
     std::cout << table.title << (table.rows.empty() ? ": none\n" : "\n");

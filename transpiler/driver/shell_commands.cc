@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "transpiler/driver/common_options.h"
@@ -9,6 +10,8 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/support/listed.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
 namespace {
@@ -30,7 +33,9 @@ Exit codes: 0 shown or written, 2 no such command.)";
 int PrintCompletion(CLI::App& app, const std::string& shell) {
   const std::optional<std::string> script = CompletionScript(shell, CommandTable(app));
   if (!script) {
-    return UsageError("'" + shell + "' is no shell that plcxx knows: bash, zsh, fish");
+    constexpr std::string_view kShells = "bash, zsh, fish";
+    return UsageError("'" + shell + "' is no shell that plcxx knows" + support::DidYouMeanOneOf(shell, kShells) + ": " +
+                      std::string(kShells));
   }
   std::cout << *script;
   return kDone;
@@ -60,7 +65,12 @@ int PrintManual(CLI::App& app, const std::string& name, const std::string& folde
     output.files.push_back({PathIn(folder, file), ManualPage(command, table)});
   }
   if (folder.empty()) {
-    return UsageError("'" + name + "' is no command of plcxx");
+    std::vector<std::string> names;
+    for (const CommandRow& command : table) {
+      if (!command.name.empty()) names.push_back(command.name);
+    }
+    return UsageError("'" + name + "' is no command of plcxx" + support::DidYouMean(name, names) + ": " +
+                      support::CommaSeparated(names));
   }
   if (const auto failure = WriteAll(output)) {
     return CannotWrite(*failure);

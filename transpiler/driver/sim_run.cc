@@ -10,7 +10,7 @@
 #include "transpiler/scenarios/control.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/source/columns.h"
 
 namespace plcxx::driver {
 namespace {
@@ -23,7 +23,7 @@ std::string MonitorText(const sim::Watched& watched, uint64_t value) {
   if (watched.place.type != ir::Type::kI8) return sim::ValueDigits(watched.place.type, value, watched.sign);
   std::string digits;
   for (size_t bit = kByteBits; bit-- > 0;) digits += ((value >> bit) & 1) != 0 ? '1' : '0';
-  return digits + support::RightAligned(std::to_string(value), 4);
+  return digits + source::RightAligned(std::to_string(value), 4);
 }
 
 size_t ColumnWidth(const sim::Watched& watched) {
@@ -31,7 +31,7 @@ size_t ColumnWidth(const sim::Watched& watched) {
                        : watched.place.type == ir::Type::kI8  ? kByteBits + 4
                        : watched.place.type == ir::Type::kI16 ? 5
                                                               : 10;
-  return std::max(value, watched.name.size());
+  return std::max(value, source::ColumnsOf(watched.name));
 }
 
 class Table {
@@ -39,8 +39,8 @@ class Table {
   Table(std::vector<sim::Watched> watched, Rows rows, std::ostream& out)
       : watched_(std::move(watched)), rows_(rows), out_(out) {
     if (watched_.empty()) return;
-    out_ << support::RightAligned("time ms", kTimeWidth);
-    for (const sim::Watched& column : watched_) out_ << "  " << support::RightAligned(column.name, ColumnWidth(column));
+    out_ << source::RightAligned("time ms", kTimeWidth);
+    for (const sim::Watched& column : watched_) out_ << "  " << source::RightAligned(column.name, ColumnWidth(column));
     out_ << '\n';
   }
 
@@ -49,16 +49,16 @@ class Table {
     std::vector<uint64_t> values;
     for (const sim::Watched& column : watched_) values.push_back(read(column));
     if (rows_ == Rows::kChangesOnly && values == last_) return;
-    out_ << support::RightAligned(std::to_string(time_ms), kTimeWidth);
+    out_ << source::RightAligned(std::to_string(time_ms), kTimeWidth);
     for (size_t i = 0; i < values.size(); ++i) {
-      out_ << "  " << support::RightAligned(MonitorText(watched_[i], values[i]), ColumnWidth(watched_[i]));
+      out_ << "  " << source::RightAligned(MonitorText(watched_[i], values[i]), ColumnWidth(watched_[i]));
     }
     out_ << '\n';
     last_ = std::move(values);
   }
 
   void Event(uint64_t time_ms, const std::string& text) {
-    out_ << support::RightAligned(std::to_string(time_ms), kTimeWidth) << "  " << text << '\n';
+    out_ << source::RightAligned(std::to_string(time_ms), kTimeWidth) << "  " << text << '\n';
   }
 
  private:

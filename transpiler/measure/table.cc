@@ -4,7 +4,8 @@
 
 #include "transpiler/compile/audit_rules.h"
 #include "transpiler/measure/figures.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/source/columns.h"
+#include "transpiler/support/listed.h"
 
 namespace plcxx::measure {
 namespace {
@@ -46,13 +47,13 @@ std::string SharedRounds(const BuildFigures& figures) {
 /// "us" rounded up to tenths, where the clock is known.
 std::string TableRow(const std::string& name, size_t width, const compile::Figures& own, const StateBytes& state,
                      uint64_t clock_hz) {
-  std::string text = "  " + support::LeftAligned(name, width) +
-                     support::RightAligned(std::to_string(own.longest.instructions), 16) +
-                     support::RightAligned(std::to_string(own.longest.cycles), 10);
-  if (clock_hz != 0) text += support::RightAligned(MicrosecondsText(Nanoseconds(own.longest.cycles, clock_hz)), 10);
+  std::string text = "  " + source::LeftAligned(name, width) +
+                     source::RightAligned(std::to_string(own.longest.instructions), 16) +
+                     source::RightAligned(std::to_string(own.longest.cycles), 10);
+  if (clock_hz != 0) text += source::RightAligned(MicrosecondsText(Nanoseconds(own.longest.cycles, clock_hz)), 10);
   for (const uint64_t bytes :
        {own.stack_bytes, own.code_bytes, own.constant_bytes, state.retentive, state.volatile_bytes})
-    text += support::RightAligned(std::to_string(bytes), 10);
+    text += source::RightAligned(std::to_string(bytes), 10);
   return text + "\n";
 }
 
@@ -113,7 +114,7 @@ std::string BuildTable(const BuildFigures& figures, const BuildWay& way, const s
     for (const SliceFigures& slice : partition.slices) width = std::max(width, SliceName(slice).size() + 1);
   }
   std::string text = program + " for " + std::string(way.target->name) + ", " + way.toolchain->version + ", -O" +
-                     way.level + "\n  " + support::LeftAligned("longest path", width + 4) + "instructions    cycles" +
+                     way.level + "\n  " + source::LeftAligned("longest path", width + 4) + "instructions    cycles" +
                      (timed ? "        us" : "") + "     stack      code constants retentive  volatile\n";
   for (const PartitionFigures& partition : figures.partitions) {
     text += TableRow(partition.name, width, partition.figures, partition.state, way.clock_hz);

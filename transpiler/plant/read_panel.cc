@@ -7,7 +7,7 @@
 #include "transpiler/plant/elements.h"
 #include "transpiler/plant/numbers.h"
 #include "transpiler/plant/panel.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 #include "transpiler/yaml/document.h"
 #include "transpiler/yaml/reader.h"

@@ -5,7 +5,7 @@
 
 #include "transpiler/plant/numbers.h"
 #include "transpiler/plant/plant.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 #include "transpiler/yaml/document.h"
 #include "transpiler/yaml/reader.h"

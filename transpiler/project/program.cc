@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -205,16 +206,19 @@ class ProgramMaker {
     return std::move(names);
   }
 
+  /// Each file once, by whatever path it is named.
   std::vector<std::string> Files(const Value& value) {
     std::vector<std::string> files;
-    const auto is_listed = [&](const std::string& name) {
-      return std::ranges::find(files, name) != files.end() ||
-             std::ranges::find(value.words, name, &yaml::MarkedText::text) != value.words.end();
-    };
+    std::set<fs::path> named, matched;
+    for (const yaml::MarkedText& word : value.words) {
+      if (!IsGlob(word.text) && !named.insert(fs::path(word.text).lexically_normal()).second)
+        reader_.Fail(word.mark, "'" + word.text + "' is named twice", "name each file once");
+    }
     for (const yaml::MarkedText& word : value.words) {
       if (IsGlob(word.text)) {
-        for (std::string& name : Matches(word)) {
-          if (!is_listed(name)) files.push_back(std::move(name));  // a pattern means all the others
+        for (std::string& name : Matches(word)) {  // a pattern means all the others
+          const fs::path path = fs::path(name).lexically_normal();
+          if (!named.contains(path) && matched.insert(path).second) files.push_back(std::move(name));
         }
       } else if (CheckReach({word}) && CheckIsThere(word)) {
         files.push_back(word.text);
@@ -240,14 +244,8 @@ class ProgramMaker {
   }
 
   std::vector<std::string> Scenarios(const Value& value) {
-    std::vector<std::string> scenarios;
-    for (const yaml::MarkedText& word : value.words) {
-      if (IsGlob(word.text)) {
-        for (const std::string& name : Matches(word)) scenarios.push_back(Below(program_.folder, name));
-      } else if (CheckReach({word}) && CheckIsThere(word)) {
-        scenarios.push_back(Below(program_.folder, word.text));
-      }
-    }
+    std::vector<std::string> scenarios = Files(value);
+    for (std::string& scenario : scenarios) scenario = Below(program_.folder, scenario);
     return scenarios;
   }
 
@@ -257,16 +255,12 @@ class ProgramMaker {
     if (options == keys.end()) return;
     const dialects::Dialect* dialect = compilation::DialectOf(RequestOf(program_));
     if (dialect == nullptr) return;  // whoever compiles it is told
-    std::vector<std::string_view> names;
-    for (const dialects::OptionInfo& option : dialect->options) names.push_back(option.key);
     for (const NamedValue& option : options->value.entries) {
       diag::Engine diagnostics;
       compilation::CheckOption(*dialect, option.name.text, OnlyWord(option.value), diagnostics);
       for (const diag::Diagnostic& found : diagnostics.all()) {
         const bool unknown = found.row->key == diag::UnknownOption.row.key;
-        const std::string_view near = unknown ? support::NearestWord(option.name.text, names) : std::string_view();
-        reader_.Fail(unknown ? option.name.mark : option.value.mark, found.text,
-                     near.empty() ? found.remedy : "did you mean '" + std::string(near) + "'");
+        reader_.Fail(unknown ? option.name.mark : option.value.mark, found.text, found.remedy);
       }
     }
   }

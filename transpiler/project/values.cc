@@ -8,8 +8,8 @@
 
 #include "transpiler/compilation/warning_options.h"
 #include "transpiler/measure/limits.h"
-#include "transpiler/support/columns.h"
 #include "transpiler/support/file_names.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::project {

@@ -5,20 +5,12 @@
 #include <vector>
 
 #include "transpiler/report/ladder.h"
-#include "transpiler/source/characters.h"
+#include "transpiler/source/columns.h"
 
 namespace plcxx::report {
 namespace {
 
-size_t ColumnsOf(std::string_view text) {
-  size_t columns = 0;
-  while (!text.empty()) {
-    const source::CodePoint point = source::FirstCodePoint(text);
-    columns += source::DisplayWidth(point.value);
-    text.remove_prefix(point.length);
-  }
-  return columns;
-}
+using source::ColumnsOf;
 
 /// Rows of one width; the wire comes in at the left and goes out at the right of row `wire`.
 struct Grid {

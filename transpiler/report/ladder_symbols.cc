@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include "transpiler/source/columns.h"
+
 namespace plcxx::report {
 namespace {
+
+using source::ColumnsOf;
 
 constexpr int kLeast = 44;   // width of a contact or coil with a short name
 constexpr int kMargin = 5;   // beside a text
@@ -17,27 +21,6 @@ constexpr size_t kMostColumns = 34;  // of a line in a box
 
 /// The bytes of the next character of UTF-8.
 size_t CharacterSize(unsigned char first) { return first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4; }
-
-uint32_t CodePoint(std::string_view text) {
-  const auto byte = [text](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) & 0x3Fu : 0u; };
-  const auto first = static_cast<unsigned char>(text[0]);
-  if (first < 0x80) return first;
-  if (first < 0xE0) return (first & 0x1Fu) << 6 | byte(1);
-  if (first < 0xF0) return (first & 0x0Fu) << 12 | byte(1) << 6 | byte(2);
-  return (first & 0x07u) << 18 | byte(1) << 12 | byte(2) << 6 | byte(3);
-}
-
-size_t ColumnsOf(std::string_view text) {
-  size_t columns = 0;
-  for (size_t i = 0; i < text.size(); i += CharacterSize(static_cast<unsigned char>(text[i]))) {
-    const uint32_t code = CodePoint(text.substr(i));
-    const bool wide = (code >= 0x1100 && code <= 0x115F) || (code >= 0x2E80 && code <= 0xA4CF) ||
-                      (code >= 0xAC00 && code <= 0xD7A3) || (code >= 0xF900 && code <= 0xFAFF) ||
-                      (code >= 0xFE30 && code <= 0xFE6F) || (code >= 0xFF00 && code <= 0xFF60) || code >= 0x1F000;
-    columns += wide ? 2 : 1;
-  }
-  return columns;
-}
 
 /// Broken at blanks, and where there is none, anywhere.
 void Wrap(std::string_view text, std::vector<std::string>& lines) {

@@ -13,7 +13,7 @@
 #include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/near_location.h"
 #include "transpiler/sim/value_text.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/low_bits.h"
 
 namespace plcxx::scenarios {

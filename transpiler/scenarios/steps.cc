@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "transpiler/scenarios/reader.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::scenarios {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transpiler/source/columns.h"
+
 namespace plcxx::sim {
 
 Watched Watch(const ir::Program& program, std::string name, const ir::Place& place) {
@@ -21,20 +23,6 @@ void Trace::Record(uint64_t time_ms, const ReadWatched& read) {
   for (const Watched& watched : watched_) values.push_back(read(watched));
 }
 
-namespace {
-
-/// Characters of a text in UTF-8.
-size_t Width(std::string_view text) {
-  return static_cast<size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string RightAligned(std::string_view text, size_t width) {
-  const size_t used = Width(text);
-  return std::string(used < width ? width - used : 0, ' ').append(text);
-}
-
-}  // namespace
-
 std::string WriteTable(const Trace& trace) {
   std::vector<std::vector<std::string>> rows(1);
   rows[0].push_back("t/ms");
@@ -49,11 +37,11 @@ std::string WriteTable(const Trace& trace) {
   }
   std::vector<size_t> widths(rows[0].size());
   for (const std::vector<std::string>& row : rows) {
-    for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], Width(row[i]));
+    for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], source::ColumnsOf(row[i]));
   }
   std::string out;
   for (const std::vector<std::string>& row : rows) {
-    for (size_t i = 0; i < row.size(); ++i) out += (i == 0 ? "" : "  ") + RightAligned(row[i], widths[i]);
+    for (size_t i = 0; i < row.size(); ++i) out += (i == 0 ? "" : "  ") + source::RightAligned(row[i], widths[i]);
     out += '\n';
   }
   return out;

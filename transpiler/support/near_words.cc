@@ -46,4 +46,25 @@ std::string_view NearestName(std::string_view name, std::span<const std::string_
   return same != names.end() ? *same : NearestWord(name, names);
 }
 
+std::string DidYouMean(std::string_view word, std::span<const std::string_view> words) {
+  const std::string_view near = NearestWord(word, words);
+  return near.empty() ? std::string() : ", did you mean '" + std::string(near) + "'";
+}
+
+std::string DidYouMean(std::string_view word, std::span<const std::string> words) {
+  const std::vector<std::string_view> views(words.begin(), words.end());
+  return DidYouMean(word, views);
+}
+
+std::string DidYouMeanOneOf(std::string_view word, std::string_view listed) {
+  constexpr std::string_view kBetween = ", ";
+  std::vector<std::string_view> words;
+  while (!listed.empty()) {
+    const size_t end = std::min(listed.find(kBetween), listed.size());
+    words.push_back(listed.substr(0, end));
+    listed.remove_prefix(std::min(end + kBetween.size(), listed.size()));
+  }
+  return DidYouMean(word, words);
+}
+
 }  // namespace plcxx::support

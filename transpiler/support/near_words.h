@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace plcxx::support {
@@ -14,5 +15,11 @@ size_t EditDistance(std::string_view a, std::string_view b);
 std::string_view NearestWord(std::string_view word, std::span<const std::string_view> words);
 /// The same where capitals count: a name that differs from `name` in capitals alone is the nearest.
 std::string_view NearestName(std::string_view name, std::span<const std::string_view> names);
+/// ", did you mean 'check'": what a message ends with; empty when there is no nearest word.
+std::string DidYouMean(std::string_view word, std::span<const std::string_view> words);
+/// The same of texts.
+std::string DidYouMean(std::string_view word, std::span<const std::string> words);
+/// The same of names as a message lists them: "host, cortex-m4, rv64gc".
+std::string DidYouMeanOneOf(std::string_view word, std::string_view listed);
 
 }  // namespace plcxx::support

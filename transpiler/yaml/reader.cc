@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "transpiler/diagnostics/terminal_text.h"
-#include "transpiler/support/columns.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::yaml {

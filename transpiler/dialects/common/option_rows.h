@@ -12,6 +12,7 @@
 
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/dialects/dialect.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::dialects {
 
@@ -60,7 +61,8 @@ Settings CheckOptionRows(const Rows& rows, const std::map<std::string, std::stri
   for (const auto& [key, value] : options) {
     const auto* row = FindOptionRow(rows, key, same);
     if (row == nullptr) {
-      diagnostics.Report({}, diag::UnknownOption, key, dialect, OptionKeys(rows));
+      diagnostics.Report({}, diag::UnknownOption, key, dialect, OptionKeys(rows),
+                         support::DidYouMeanOneOf(key, OptionKeys(rows)));
     } else if (!row->apply(value, settings)) {
       diagnostics.Report({}, diag::BadOptionValue, key, value, row->info.values);
     }

@@ -229,11 +229,8 @@ std::string NoRevision(const Git& git, const std::string& revision, const std::s
   std::vector<std::string> names;
   std::istringstream lines(listed.output);
   for (std::string line; names.size() < kMostNames && std::getline(lines, line);) names.push_back(line);
-  const std::string near(listed.exit_code == 0
-                             ? support::NearestWord(revision, std::vector<std::string_view>(names.begin(), names.end()))
-                             : "");
-  return "git has no version '" + revision + "'" + (near.empty() ? "" : ", did you mean '" + near + "'") + " (" + why +
-         ")";
+  if (listed.exit_code != 0) names.clear();
+  return "git has no version '" + revision + "'" + support::DidYouMean(revision, names) + " (" + why + ")";
 }
 
 /// Copies a revision; gives why not.

@@ -7,6 +7,7 @@
 #include "transpiler/dialects/common/option_rows.h"
 #include "transpiler/dialects/nc110/machine/records.h"
 #include "transpiler/dialects/nc110/source/tokens.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::nc110 {
 namespace {
@@ -202,7 +203,8 @@ void CheckOptions(const std::map<std::string, std::string>& options, diag::Engin
   for (const auto& [key, value] : options) {
     const auto* row = dialects::FindOptionRow(kRows, key, dialects::IsKey);
     if (row == nullptr) {
-      diagnostics.Report({}, diag::UnknownOption, key, "nc110", dialects::OptionKeys(kRows));
+      diagnostics.Report({}, diag::UnknownOption, key, "nc110", dialects::OptionKeys(kRows),
+                         support::DidYouMeanOneOf(key, dialects::OptionKeys(kRows)));
     } else if (!row->apply(value, scratch)) {
       if (key == "t-init" && IsInitialValueOutOfRange(value)) {
         diagnostics.Report({}, diag::Nc110InitialValue, value);
