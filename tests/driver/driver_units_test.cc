@@ -10,6 +10,8 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/temporary_directory.h"
 #include "transpiler/driver/dependency_file.h"
@@ -48,6 +50,46 @@ TEST(WriteAll, LeavesNothingBehindAfterAFailure) {
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->path, in_the_way);
   EXPECT_FALSE(std::filesystem::exists(directory.File("a")));
+}
+
+TEST(WriteAll, EachFailureHasARemedyOfItsOwn) {
+  const testing_support::TemporaryDirectory directory;
+  const std::string folder = directory.File("folder"), file = directory.File("file");
+  std::filesystem::create_directory(folder);
+  std::ofstream(file) << "text";
+  const auto remedy = [](const std::string& path, std::vector<std::string> sources = {}) {
+    const auto failure = WriteAll({"", {{path, "other"}}, std::move(sources)});
+    return failure ? failure->reason + ": " + failure->remedy : "";
+  };
+  EXPECT_EQ(remedy(folder), "it is a directory: choose another name for the file, or move the directory away");
+  EXPECT_EQ(remedy(file, {file}), "it is a source of this program: write to another folder, or under another name");
+  EXPECT_EQ(remedy(file + "/below"), "not a directory: a file is where the path needs a folder: check the path");
+  EXPECT_EQ(remedy(folder + "/missing/x"),
+            "no such file or directory: check its name, and make the folder that it is to lie in");
+  EXPECT_EQ(remedy(directory.File(std::string(300, 'x'))), "file name too long: choose a shorter name");
+  EXPECT_EQ(remedy("/dev/full"), "no space left on device: make room there, or write to another disk");
+}
+
+TEST(CannotBeWritten, IsKnownBeforeTheWork) {
+  const testing_support::TemporaryDirectory directory;
+  const std::string folder = directory.File("folder"), file = directory.File("file");
+  std::filesystem::create_directory(folder);
+  std::ofstream(file) << "text";
+  const auto reason = [](const std::string& path) {
+    const auto failure = CannotBeWritten(path);
+    return failure ? failure->reason : "";
+  };
+  for (const std::string& right : {file, folder + "/x", folder + "/missing/deep/x", std::string("/dev/null")})
+    EXPECT_EQ(reason(right), "") << right;
+  EXPECT_EQ(reason("x.vcd"), "");
+  EXPECT_EQ(reason(folder), "it is a directory");
+  EXPECT_EQ(reason(file + "/x"), "not a directory");
+  EXPECT_EQ(reason(file + "/deep/x"), "not a directory");
+  if (geteuid() != 0) {
+    std::filesystem::permissions(folder, std::filesystem::perms::owner_read);
+    EXPECT_EQ(reason(folder + "/x"), "permission denied");
+    std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+  }
 }
 
 std::string TextOf(const std::string& path) {

@@ -102,7 +102,12 @@ TEST_F(Sim, Waveform) {
   const Ran ran = Run("--for 50ms --watch U4A0,W100K0 --vcd out.vcd");
   EXPECT_EQ(ran.code, 0) << ran;
   EXPECT_THAT(work_.Read("out.vcd"), HasSubstr("$var"));
-  EXPECT_EQ(Run("--for 50ms --watch U4A0 --vcd nowhere/out.vcd").code, 2);
+  EXPECT_EQ(Run("--for 50ms --watch U4A0 --vcd new/folder/out.vcd").code, 0);
+  EXPECT_TRUE(work_.Has("new/folder/out.vcd"));
+  const Ran refused = Run("--for 50ms --watch U4A0 --vcd out.vcd/below.vcd");  // before the work, not after it
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_THAT(refused.errors, HasSubstr("cannot write 'out.vcd/below.vcd': not a directory; "));
   EXPECT_EQ(Run("--for 50ms --vcd out.vcd").code, 2);
 }
 

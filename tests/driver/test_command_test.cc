@@ -164,6 +164,10 @@ TEST_F(TestCommand, ResultsForBuildServers) {
   EXPECT_THAT(xml, HasSubstr("tests=\"2\" failures=\"1\" errors=\"0\""));
   EXPECT_THAT(
       xml, HasSubstr("<failure message=\"wrong.yaml:5:12: step 2 (expect), at 20 ms: expected U4A8 = 1, found 0\">"));
+  const compile::ProcessResult refused = Run("good.yaml --engine sim --junit good.yaml/result.xml");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, AllOf(HasSubstr("cannot write 'good.yaml/result.xml': not a directory; "),
+                                    Not(HasSubstr("passed"))));  // it is told before anything runs
   EXPECT_EQ(Run("good.yaml --engine sim --junit good.yaml").exit_code, 2);
   EXPECT_THAT(Read("good.yaml"), HasSubstr("sources:"));
 }

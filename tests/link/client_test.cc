@@ -231,5 +231,24 @@ TEST(LinkTransport, ASilentEndIsWaitedForAndAClosedOneIsNoticed) {
   EXPECT_FALSE(near->Send(Bytes{1}));
 }
 
+TEST(Address, IsWrongAsItIsWrittenOrNobodyIsThere) {
+  for (const char* right : {"tcp:10.0.0.7:5020", "tcp:[::1]:1", "tcp:machine:65535", "serial:/dev/ttyUSB0",
+                            "serial:/dev/ttyUSB0:9600", "socket:/tmp/qemu.socket"})
+    EXPECT_EQ(WrongAddress(right), "") << right;
+  EXPECT_EQ(WrongAddress("station.socket"),
+            "'station.socket' is none of tcp:HOST:PORT, serial:DEVICE:BAUD, socket:PATH");
+  EXPECT_EQ(WrongAddress("tcp:10.0.0.7"), "'tcp:10.0.0.7' has no host and port: tcp:HOST:PORT");
+  // 99999 is 34463 in 16 bits: another machine's port.
+  for (const char* port : {"0", "65536", "99999", "-1", "http", "1x"})
+    EXPECT_EQ(WrongAddress("tcp:m:" + std::string(port)), "'" + std::string(port) + "' is no port: 1 to 65535");
+  EXPECT_EQ(WrongAddress("serial:/dev/ttyS0:123"), "'/dev/ttyS0:123' has no baud rate of 9600, 19200 ... 921600");
+  EXPECT_EQ(WrongAddress("serial:"), "'serial:' has no device: serial:DEVICE:BAUD");
+  EXPECT_EQ(WrongAddress("socket:"), "'' is no path of a socket");
+  EXPECT_EQ(OpenTransport("tcp:m:99999").reason, WrongAddress("tcp:m:99999"));
+  EXPECT_EQ(OpenTransport("socket:/nowhere").reason,
+            "no connection to '/nowhere': no such file or directory; is the machine on, and is its link there?");
+  EXPECT_THAT(OpenTransport("serial:/dev/null").reason, HasSubstr("; it is no serial line"));
+}
+
 }  // namespace
 }  // namespace plcxx::debug_link

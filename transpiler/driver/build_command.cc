@@ -32,6 +32,7 @@
 #include "transpiler/host/host.h"
 #include "transpiler/measure/figures.h"
 #include "transpiler/measure/limits.h"
+#include "transpiler/support/near_words.h"
 #include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
@@ -161,7 +162,8 @@ class Build {
     if (!settings_.no_identity) AddIdentity(IdentityOf(compilation_, files_), compilation_.name, sources);
     const compile::TemporaryDirectory directory;
     if (!directory.valid()) {
-      ReportCannotWrite({"a temporary directory", "it cannot be made"}, compilation_);
+      ReportCannotWrite({"a temporary directory", "it cannot be made", "let TMPDIR name a folder with room and rights"},
+                        compilation_);
       return false;
     }
     auto compiled = compile::CompileLibrary({.target = &target_,
@@ -274,7 +276,8 @@ int RunBuild(const BuildSettings& asked) {
     const std::string names = compile::TargetNames();
     return UsageError(settings.target.empty()
                           ? "build needs a target: --target " + names + "; or 'targets' in plcxx.yaml"
-                          : "'" + settings.target + "' is no target; there are: " + names);
+                          : "'" + settings.target + "' is no target" +
+                                support::DidYouMeanOneOf(settings.target, names) + "; there are: " + names);
   }
   if (!settings.host.empty() && settings.host != "own" && settings.target != "host") {
     return UsageError("--host " + settings.host + " runs on Linux: --target host");

@@ -174,6 +174,15 @@ bool OpenNamed(const LiveSettings& settings, const compilation::Compilation& com
   return scenario && OpenRun(*scenario, compilation, session);
 }
 
+/// What keeps the page from an address, and what to do; `error` of the attempt, 0 where the system was not asked.
+std::string CannotListen(const LiveSettings& settings, int error) {
+  const std::string where = "cannot listen at " + settings.listen +
+                            (settings.port == 0 ? "" : ", port " + std::to_string(settings.port)) + ": ";
+  if (error == EADDRINUSE) return where + "another program listens there; choose another --port, or end that one";
+  if (error == EACCES) return where + "ports below 1024 are for the administrator; choose another --port";
+  return where + "this machine has no such address; --listen 0.0.0.0 means all that it has";
+}
+
 /// Serves until a signal comes.
 int Serve(const LiveSettings& settings, live::Service& service, const std::string& name) {
   if (!CatchSignals()) return UsageError("there are too many open files");
@@ -189,10 +198,7 @@ int Serve(const LiveSettings& settings, live::Service& service, const std::strin
       port = loaded.server->Bind(settings.listen, 0);
     }
   }
-  if (port == 0) {
-    return UsageError("cannot listen at " + settings.listen +
-                      (settings.port == 0 ? "" : ", port " + std::to_string(settings.port)) + ": is it in use?");
-  }
+  if (port == 0) return UsageError(CannotListen(settings, errno));
   const bool is_local = settings.listen == kLoopback;
   live::GuardOptions guard{.port = port, .token = is_local ? "" : NewToken()};
   const std::string address = "http://" + settings.listen + ":" + std::to_string(port) + "/" +

@@ -211,7 +211,7 @@ int LinkSession::Follow() {
 int LinkSession::Save() {
   if (words_.waveform.empty() || !trace_) return kDone;
   const OutputRequest output{{}, {{words_.waveform, sim::WriteVcd(*trace_, compilation_.name)}}, {}};
-  if (const auto failure = WriteAll(output)) return CannotWrite(*failure);
+  if (const auto failure = WriteWithFolders(output)) return CannotWrite(*failure);
   return kDone;
 }
 
@@ -250,7 +250,7 @@ int LinkSession::Exchange() {
 }
 
 int LinkSession::Run() {
-  if (!FindAll()) return kWrongUse;
+  if (!FindAll() || !CanBeWritten({words_.waveform})) return kWrongUse;
   if (!words_.duration.empty()) {
     const std::optional<uint64_t> ms = ParseDuration(words_.duration);
     if (!ms) return UsageError("'" + words_.duration + "' is no time; write for example 30s");
@@ -281,6 +281,7 @@ std::string WrongAbout(const LinkWords& words) {
     return says_what ? "--read, --watch, --write, --force, --for and --save are about a machine: name it with --link"
                      : "";
   }
+  if (const std::string wrong = debug_link::WrongAddress(words.address); !wrong.empty()) return "--link: " + wrong;
   if (!words.duration.empty() && words.watch.empty() && words.force.empty()) {
     return "--for is how long --watch and --force last: the page of --link alone is there until Ctrl+C";
   }

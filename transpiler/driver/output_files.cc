@@ -47,6 +47,35 @@ std::string SystemWords(int error) {
   return words;
 }
 
+std::string RemedyOf(int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+      return "make room there, or write to another disk";
+    case EROFS:
+      return "write to another place: that disk can only be read";
+    case EACCES:
+    case EPERM:
+      return "write where you may, or have the rights of the folder changed";
+    case ENOENT:
+      return "check its name, and make the folder that it is to lie in";
+    case ENOTDIR:
+      return "a file is where the path needs a folder: check the path";
+    case ENAMETOOLONG:
+      return "choose a shorter name";
+    case EINTR:
+      return "run it again";
+    default:
+      return "check the path and the rights";
+  }
+}
+
+WriteFailure Failed(const std::string& path, int error) { return {path, SystemWords(error), RemedyOf(error)}; }
+WriteFailure IsADirectory(const std::string& path) {
+  return {path, "it is a directory", "choose another name for the file, or move the directory away"};
+}
+
 bool HasBytes(const std::string& path, std::string_view bytes) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return false;
@@ -147,33 +176,34 @@ std::optional<WriteFailure> Transaction::MakeDirectory() {
   for (size_t i = to_make.size(); i-- > 0;) {
     if (mkdir(to_make[i].c_str(), 0777) != 0) {
       if (errno == EEXIST) continue;  // another process was faster
-      return WriteFailure{request_.directory, SystemWords(errno)};
+      return Failed(request_.directory, errno);
     }
     new_directories_.push_back(to_make[i]);
   }
-  if (!fs::is_directory(request_.directory, error)) return WriteFailure{request_.directory, "it is not a directory"};
+  if (!fs::is_directory(request_.directory, error))
+    return WriteFailure{request_.directory, "it is not a directory", "name a directory, or one that is to be made"};
   return std::nullopt;
 }
 
 std::optional<WriteFailure> Transaction::CheckTarget(const emit::OutputFile& file) const {
   const std::string& path = file.name;
   std::error_code error;
-  if (fs::is_directory(path, error)) return WriteFailure{path, "it is a directory"};
+  if (fs::is_directory(path, error)) return IsADirectory(path);
   for (const std::string& read : request_.protected_paths) {
-    if (fs::equivalent(path, read, error)) return WriteFailure{path, "it is a source of this program"};
+    if (fs::equivalent(path, read, error))
+      return WriteFailure{path, "it is a source of this program", "write to another folder, or under another name"};
   }
   const auto before = Outputs().of.find(WholePath(path));
   if (before != Outputs().of.end() && before->second != Outputs().program && !HasBytes(path, file.text)) {
-    return WriteFailure{path,
-                        "it has just been written for program '" + before->second +
-                            "'; let each program have a folder or a name of its own, or choose one with --program"};
+    return WriteFailure{path, "it has just been written for program '" + before->second + "'",
+                        "let each program have a folder or a name of its own, or choose one with --program"};
   }
   return std::nullopt;
 }
 
 /// To an open file, or the reason why it is not open in `errno`.
 std::optional<WriteFailure> WriteAndClose(int descriptor, const emit::OutputFile& file) {
-  if (descriptor < 0) return WriteFailure{file.name, SystemWords(errno)};
+  if (descriptor < 0) return Failed(file.name, errno);
   std::string_view rest = file.text;
   int problem = 0;
   while (!rest.empty() && problem == 0) {
@@ -187,7 +217,7 @@ std::optional<WriteFailure> WriteAndClose(int descriptor, const emit::OutputFile
     }
   }
   if (close(descriptor) != 0 && problem == 0) problem = errno;
-  if (problem != 0) return WriteFailure{file.name, SystemWords(problem)};
+  if (problem != 0) return Failed(file.name, problem);
   return std::nullopt;
 }
 
@@ -250,7 +280,7 @@ std::optional<WriteFailure> Transaction::Replace(Replacement& replacement) {
   unlink(replacement.backup.c_str());  // left by a process that was killed
   replacement.has_backup = replacement.existed && link(replacement.path.c_str(), replacement.backup.c_str()) == 0;
   if (rename(replacement.temporary.c_str(), replacement.path.c_str()) != 0) {
-    return WriteFailure{replacement.path, SystemWords(errno)};
+    return Failed(replacement.path, errno);
   }
   replacement.renamed = true;
   return std::nullopt;
@@ -272,7 +302,7 @@ std::optional<WriteFailure> Transaction::Run() {
   }
   for (Replacement& replacement : replacements_) {
     if (auto failure = Replace(replacement)) return failure;
-    if (ended_by != 0) return WriteFailure{replacement.path, SystemWords(EINTR)};
+    if (ended_by != 0) return Failed(replacement.path, EINTR);
   }
   done_ = true;
   if (!Outputs().program.empty()) {
@@ -289,7 +319,7 @@ OutputsOfProgram::OutputsOfProgram(std::string name) { Outputs().program = std::
 OutputsOfProgram::~OutputsOfProgram() { Outputs().program.clear(); }
 
 int CannotWrite(const WriteFailure& failure) {
-  return UsageError("cannot write '" + failure.path + "': " + failure.reason);
+  return UsageError("cannot write '" + failure.path + "': " + failure.reason + "; " + failure.remedy);
 }
 
 bool IsFileName(std::string_view name) { return support::IsFileName(name); }
@@ -301,6 +331,40 @@ std::string PathIn(const std::string& directory, const std::string& name) {
 std::optional<WriteFailure> WriteAll(const OutputRequest& request) {
   const DelayedSignals delayed;  // ends after the transaction: what was begun is undone by then
   return Transaction(request).Run();
+}
+
+std::optional<WriteFailure> WriteWithFolders(const OutputRequest& request) {
+  for (const emit::OutputFile& file : request.files) {
+    const fs::path directory = fs::path(file.name).parent_path();
+    std::error_code error;  // what is wrong is told when the file is written
+    if (!directory.empty()) fs::create_directories(directory, error);
+  }
+  return WriteAll(request);
+}
+
+std::optional<WriteFailure> CannotBeWritten(const std::string& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return IsADirectory(path);
+  if (IsSpecial(path)) {
+    if (fs::is_socket(path, error)) return Failed(path, ENXIO);
+    return access(path.c_str(), W_OK) == 0 ? std::nullopt : std::optional(Failed(path, errno));
+  }
+  fs::path above = fs::path(Resolved(path)).parent_path();
+  while (!above.empty() && !fs::exists(above, error)) {
+    if (error == std::errc::not_a_directory) return Failed(path, ENOTDIR);
+    above = above.parent_path();
+  }
+  const std::string folder = above.empty() ? "." : above.string();
+  if (!fs::is_directory(folder, error)) return Failed(path, ENOTDIR);
+  return access(folder.c_str(), W_OK) == 0 ? std::nullopt : std::optional(Failed(path, errno));
+}
+
+bool CanBeWritten(std::initializer_list<std::string> paths) {
+  for (const std::string& path : paths) {
+    if (path.empty()) continue;
+    if (const auto failure = CannotBeWritten(path)) return CannotWrite(*failure), false;
+  }
+  return true;
 }
 
 }  // namespace plcxx::driver

@@ -5,6 +5,7 @@
 // to, and a link stays one.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +17,7 @@ namespace plcxx::driver {
 
 struct WriteFailure {
   std::string path;
-  std::string reason;  // lower case, no full stop
+  std::string reason, remedy;  // lower case, no full stop
 };
 
 struct OutputRequest {
@@ -37,6 +38,15 @@ class OutputsOfProgram {
 
 /// After a failure the directory is as it was before.
 std::optional<WriteFailure> WriteAll(const OutputRequest& request);
+
+/// The same with the folders that the files lie in.
+std::optional<WriteFailure> WriteWithFolders(const OutputRequest& request);
+
+/// What can be known before the work whose result it shall get: there is a folder in the way, no folder that may be
+/// written to, or what is no file. The folders above it may be missing.
+std::optional<WriteFailure> CannotBeWritten(const std::string& path);
+/// Of those that are named (the others are empty) the first such; false: told as a usage error.
+bool CanBeWritten(std::initializer_list<std::string> paths);
 
 /// Tells that as a usage error; its exit code, for commands that end with it.
 int CannotWrite(const WriteFailure& failure);

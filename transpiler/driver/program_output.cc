@@ -13,7 +13,7 @@ namespace {
 /// Faults of the driver for which a dialect's specification fixes a code.
 struct CannotWriteRow {
   std::string_view dialect;
-  const diag::Message<diag::Text, diag::Text>* message;
+  const diag::Message<diag::Text, diag::Text, diag::Text>* message;
 };
 constexpr CannotWriteRow kCannotWrite[] = {{"nc110", &diag::Nc110CannotWrite}};
 
@@ -79,11 +79,11 @@ std::vector<std::string> PathsRead(const compilation::Compilation& compilation, 
 }
 
 void ReportCannotWrite(const WriteFailure& failure, compilation::Compilation& compilation) {
-  const diag::Message<diag::Text, diag::Text>* message = &diag::CannotWriteOutput;
+  const diag::Message<diag::Text, diag::Text, diag::Text>* message = &diag::CannotWriteOutput;
   for (const CannotWriteRow& row : kCannotWrite) {
     if (row.dialect == compilation.dialect->name) message = row.message;
   }
-  compilation.diagnostics.Report({}, *message, failure.path, failure.reason);
+  compilation.diagnostics.Report({}, *message, failure.path, failure.reason, failure.remedy);
 }
 
 }  // namespace plcxx::driver

@@ -97,18 +97,6 @@ std::optional<uint64_t> Milliseconds(const std::string& text) {
   return std::nullopt;
 }
 
-/// With the folders that they lie in.
-int WriteWithFolders(const OutputRequest& output) {
-  for (const emit::OutputFile& file : output.files) {
-    const std::filesystem::path directory = std::filesystem::path(file.name).parent_path();
-    std::error_code none;  // what is wrong is told when the file is written
-    if (!directory.empty()) std::filesystem::create_directories(directory, none);
-  }
-  if (output.files.empty()) return kDone;
-  const std::optional<WriteFailure> failure = WriteAll(output);
-  return failure ? CannotWrite(*failure) : kDone;
-}
-
 class Prove {
  public:
   explicit Prove(const ProveSettings& settings) : settings_(settings) { chosen_.files = settings.files; }
@@ -248,7 +236,7 @@ class Prove {
     for (const ProvedProperty& proved : proved_) {
       if (!proved.file.empty()) output.files.push_back({proved.file, proved.scenario.yaml});
     }
-    if (const int written = WriteWithFolders(output); written != kDone) return written;
+    if (const auto failure = WriteWithFolders(output)) return CannotWrite(*failure);
     for (const ProvedProperty& proved : proved_) {
       if (proved.result.verdict != prove::properties::PropertyVerdict::kProved) return kProgramHasErrors;
     }
@@ -271,12 +259,15 @@ class Prove {
 int RunProve(const ProveSettings& settings) { return Prove(settings).Run(); }
 
 int RunProveOf(ProveSettings settings) {
+  const std::string scenario = settings.counterexamples.empty() ? "" : PathIn(settings.counterexamples, "found.yaml");
+  if (!CanBeWritten({settings.junit, scenario})) return kWrongUse;
   if (!settings.junit.empty()) settings.report = std::make_shared<ProveReport>();
   const int code = RunForPrograms(settings, RunProve, settings.form == "json" ? Result::kJson : Result::kUnnamed);
   if (!settings.report || settings.report->protected_paths.empty()) return code;
-  return std::max(code, WriteWithFolders({.directory = {},
-                                          .files = {{settings.junit, JunitXml(settings.report->cases)}},
-                                          .protected_paths = settings.report->protected_paths}));
+  const auto failure = WriteWithFolders({.directory = {},
+                                         .files = {{settings.junit, JunitXml(settings.report->cases)}},
+                                         .protected_paths = settings.report->protected_paths});
+  return failure ? std::max(code, CannotWrite(*failure)) : code;
 }
 
 }  // namespace

@@ -90,6 +90,7 @@ int RunSim(const SimSettings& settings) {
   if (!settings.waveform.empty() && settings.words.watch.empty()) {
     return UsageError("--vcd needs locations to --watch");
   }
+  if (!CanBeWritten({settings.waveform})) return kWrongUse;
   const auto planned = PlanSimulation(settings.words, compilation);
   if (const auto* problem = std::get_if<std::string>(&planned)) {
     return UsageError(*problem);
@@ -113,7 +114,7 @@ int RunSim(const SimSettings& settings) {
   std::cout.flush();
   if (!settings.waveform.empty()) {
     const OutputRequest output{{}, {{settings.waveform, sim::WriteVcd(outcome.trace, compilation.name)}}, {}};
-    if (const auto failure = WriteAll(output)) {
+    if (const auto failure = WriteWithFolders(output)) {
       return CannotWrite(*failure);
     }
   }

@@ -1,7 +1,6 @@
 #include "transpiler/driver/test_command.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -99,14 +98,8 @@ int WriteFiles(const TestSettings& settings, const std::vector<scenarios::Scenar
     output.files.push_back({settings.waveform, results.front().waveform});
   }
   if (output.files.empty()) return kDone;
-  for (const emit::OutputFile& file : output.files) {
-    const std::filesystem::path directory = std::filesystem::path(file.name).parent_path();
-    std::error_code error;  // what is wrong is told when the file is written
-    if (!directory.empty()) std::filesystem::create_directories(directory, error);
-  }
-  const std::optional<WriteFailure> failure = WriteAll(output);
-  if (!failure) return kDone;
-  return CannotWrite(*failure);
+  const std::optional<WriteFailure> failure = WriteWithFolders(output);
+  return failure ? CannotWrite(*failure) : kDone;
 }
 
 /// None when the command line is wrong; reported.
@@ -134,7 +127,7 @@ int RunTest(const TestSettings& asked) {
     return UsageError("'--vcd' takes one scenario, not " + std::to_string(paths.size()));
   }
   const std::optional<scenarios::SuiteOptions> options = MakeOptions(settings);
-  if (!options) return kWrongUse;
+  if (!options || !CanBeWritten({settings.junit, settings.waveform})) return kWrongUse;
   Totals totals;
   const std::vector<scenarios::ScenarioResult> results = scenarios::TestScenarios(
       paths, *options, [&](const scenarios::ScenarioResult& result) { Report(result, settings, totals); });

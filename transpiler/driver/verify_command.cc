@@ -33,6 +33,7 @@
 #include "transpiler/source/read_bytes.h"
 #include "transpiler/support/counted.h"
 #include "transpiler/support/hex.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
 namespace {
@@ -255,7 +256,7 @@ bool Verification::WriteCertificate() {
                                                                .left_out = left_out_,
                                                                .front_end = front_end_ ? &*front_end_ : nullptr})});
   output.protected_paths = PathsRead(compilation_, settings_.common);
-  const auto failure = WriteAll(output);
+  const auto failure = WriteWithFolders(output);
   if (failure) ReportCannotWrite(*failure, compilation_);
   return !failure;
 }
@@ -383,9 +384,12 @@ int RunVerify(const VerifySettings& settings) {
   if (!routine_ms || *routine_ms == 0) {
     return UsageError("'" + settings.time + "' is no time; write for example 30s");
   }
+  if (!CanBeWritten({settings.certificate})) return kWrongUse;
   const compile::Target* target = compile::FindTarget(settings.target);
   if (target == nullptr) {
-    return UsageError("'" + settings.target + "' is no target; there are: " + compile::TargetNames());
+    return UsageError("'" + settings.target + "' is no target" +
+                      support::DidYouMeanOneOf(settings.target, compile::TargetNames()) +
+                      "; there are: " + compile::TargetNames());
   }
   OutputOptions names;
   names.name = settings.name;

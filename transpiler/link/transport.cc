@@ -8,9 +8,12 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <utility>
+#include <variant>
 
 namespace plcxx::debug_link {
 namespace {
@@ -74,10 +77,6 @@ class FileTransport : public Transport {
   Descriptor end_;
 };
 
-OpenedTransport Failed(std::string what) {
-  return {.transport = nullptr, .reason = std::move(what) + ": " + std::strerror(errno)};
-}
-
 /// Empty: connected. The descriptor does not block, so that a host that does not answer is given up.
 bool Connects(int descriptor, const sockaddr* address, socklen_t size) {
   if (connect(descriptor, address, size) == 0) return true;
@@ -95,18 +94,106 @@ bool Connects(int descriptor, const sockaddr* address, socklen_t size) {
 
 constexpr int kSocketFlags = SOCK_CLOEXEC | SOCK_NONBLOCK;
 
-OpenedTransport OpenTcp(const std::string& place) {
-  const size_t colon = place.rfind(':');
-  if (colon == std::string::npos || colon == 0 || colon + 1 == place.size()) {
-    return {.transport = nullptr, .reason = "'tcp:" + place + "' has no host and port: tcp:HOST:PORT"};
+struct Baud {
+  int rate;
+  speed_t code;
+};
+constexpr Baud kBauds[] = {{9600, B9600},     {19200, B19200},   {38400, B38400},   {57600, B57600},
+                           {115200, B115200}, {230400, B230400}, {460800, B460800}, {921600, B921600}};
+constexpr int kUsualRate = 115200;
+
+enum class Wire { kTcp, kSerial, kSocket };
+struct Address {
+  Wire wire = Wire::kTcp;
+  std::string place;  // the host, the device or the path
+  std::string port;   // of kTcp
+  speed_t baud = 0;   // of kSerial
+};
+
+std::optional<int> WholeNumber(std::string_view text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, number);
+  return parsed.ec == std::errc() && parsed.ptr == end ? std::optional(number) : std::nullopt;
+}
+
+/// An address, or what is wrong with it as it is written.
+using ParsedAddress = std::variant<Address, std::string>;
+
+ParsedAddress ParseTcp(const std::string& text) {
+  constexpr int kMaxPort = 65535;
+  const size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0 || colon + 1 == text.size()) {
+    return "'tcp:" + text + "' has no host and port: tcp:HOST:PORT";
   }
-  std::string host = place.substr(0, colon);
+  Address address{.wire = Wire::kTcp, .place = text.substr(0, colon), .port = text.substr(colon + 1), .baud = 0};
+  const std::optional<int> port = WholeNumber(address.port);
+  if (!port || *port < 1 || *port > kMaxPort) return "'" + address.port + "' is no port: 1 to 65535";
+  std::string& host = address.place;
   if (host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
+  return address;
+}
+
+ParsedAddress ParseSerial(const std::string& text) {
+  const size_t colon = text.rfind(':');
+  const std::string device = text.substr(0, colon);
+  if (device.empty()) return "'serial:" + text + "' has no device: serial:DEVICE:BAUD";
+  const int rate =
+      colon == std::string::npos ? kUsualRate : WholeNumber(std::string_view(text).substr(colon + 1)).value_or(0);
+  for (const Baud& known : kBauds) {
+    if (known.rate == rate) return Address{.wire = Wire::kSerial, .place = device, .port = {}, .baud = known.code};
+  }
+  return "'" + text + "' has no baud rate of 9600, 19200 ... 921600";
+}
+
+ParsedAddress ParseSocket(const std::string& path) {
+  if (path.empty() || path.size() >= sizeof sockaddr_un().sun_path) return "'" + path + "' is no path of a socket";
+  return Address{.wire = Wire::kSocket, .place = path, .port = {}, .baud = 0};
+}
+
+ParsedAddress ParseAddress(std::string_view text) {
+  const size_t colon = text.find(':');
+  const std::string_view kind = text.substr(0, colon);
+  const std::string place(colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1));
+  if (kind == "tcp") return ParseTcp(place);
+  if (kind == "serial") return ParseSerial(place);
+  if (kind == "socket") return ParseSocket(place);
+  return "'" + std::string(text) + "' is none of tcp:HOST:PORT, serial:DEVICE:BAUD, socket:PATH";
+}
+
+/// What to look at where nothing listens.
+std::string Remedy(int error) {
+  switch (error) {
+    case ECONNREFUSED:
+    case ENOENT:
+      return "; is the machine on, and is its link there?";
+    case EACCES:
+    case EPERM:
+      return "; this user has no right to it";
+    case ETIMEDOUT:
+    case EHOSTUNREACH:
+    case ENETUNREACH:
+      return "; is the machine on, and the network in between?";
+    case ENOTTY:
+      return "; it is no serial line";
+    default:
+      return "";
+  }
+}
+
+OpenedTransport Failed(const std::string& what) {
+  const int error = errno;
+  std::string words = std::strerror(error);
+  if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
+  return {.transport = nullptr, .reason = what + ": " + words + Remedy(error)};
+}
+
+OpenedTransport OpenTcp(const Address& wanted) {
   addrinfo hints = {};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  if (const int error = getaddrinfo(host.c_str(), place.c_str() + colon + 1, &hints, &found); error != 0) {
-    return {.transport = nullptr, .reason = "'" + host + "' is not found: " + gai_strerror(error)};
+  if (const int error = getaddrinfo(wanted.place.c_str(), wanted.port.c_str(), &hints, &found); error != 0) {
+    return {.transport = nullptr, .reason = "'" + wanted.place + "' is not found: " + gai_strerror(error)};
   }
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses(found, &freeaddrinfo);
   errno = 0;
@@ -117,58 +204,35 @@ OpenedTransport OpenTcp(const std::string& place) {
       return {.transport = TransportOf(descriptor.Take()), .reason = {}};
     }
   }
-  return Failed("no connection to " + place);
+  return Failed("no connection to " + wanted.place + ":" + wanted.port);
 }
 
-OpenedTransport OpenSocket(const std::string& path) {
+OpenedTransport OpenSocket(const Address& wanted) {
   sockaddr_un address = {};
   address.sun_family = AF_UNIX;
-  if (path.empty() || path.size() >= sizeof address.sun_path) {
-    return {.transport = nullptr, .reason = "'" + path + "' is no path of a socket"};
-  }
-  path.copy(address.sun_path, path.size());
+  wanted.place.copy(address.sun_path, wanted.place.size());
   Descriptor descriptor(socket(AF_UNIX, SOCK_STREAM | kSocketFlags, 0));
   if (descriptor.number() < 0 ||
       !Connects(descriptor.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address)) {
-    return Failed("no connection to '" + path + "'");
+    return Failed("no connection to '" + wanted.place + "'");
   }
   return {.transport = TransportOf(descriptor.Take()), .reason = {}};
 }
 
-struct Baud {
-  int rate;
-  speed_t code;
-};
-constexpr Baud kBauds[] = {{9600, B9600},     {19200, B19200},   {38400, B38400},   {57600, B57600},
-                           {115200, B115200}, {230400, B230400}, {460800, B460800}, {921600, B921600}};
-
-OpenedTransport OpenSerial(const std::string& place) {
-  std::string device = place;
-  int rate = 115200;
-  if (const size_t colon = place.rfind(':'); colon != std::string::npos) {
-    const char* const end = place.data() + place.size();
-    const auto parsed = std::from_chars(place.data() + colon + 1, end, rate);
-    if (parsed.ec != std::errc() || parsed.ptr != end) rate = 0;
-    device = place.substr(0, colon);
-  }
-  const Baud* baud = nullptr;
-  for (const Baud& known : kBauds) {
-    if (known.rate == rate) baud = &known;
-  }
-  if (baud == nullptr) {
-    return {.transport = nullptr, .reason = "'" + place + "' has no baud rate of 9600, 19200 ... 921600"};
-  }
-  Descriptor descriptor(open(device.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK));
+OpenedTransport OpenSerial(const Address& wanted) {
+  Descriptor descriptor(open(wanted.place.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK));
   termios settings = {};
-  if (descriptor.number() < 0 || tcgetattr(descriptor.number(), &settings) != 0) return Failed("'" + device + "'");
+  if (descriptor.number() < 0 || tcgetattr(descriptor.number(), &settings) != 0) {
+    return Failed("'" + wanted.place + "'");
+  }
   cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
   settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS | CSTOPB);
   settings.c_cc[VMIN] = 1;  // with 0, nothing there and nobody there would read alike
   settings.c_cc[VTIME] = 0;
-  if (cfsetispeed(&settings, baud->code) != 0 || cfsetospeed(&settings, baud->code) != 0 ||
+  if (cfsetispeed(&settings, wanted.baud) != 0 || cfsetospeed(&settings, wanted.baud) != 0 ||
       tcsetattr(descriptor.number(), TCSANOW, &settings) != 0) {
-    return Failed("'" + device + "'");
+    return Failed("'" + wanted.place + "'");
   }
   tcflush(descriptor.number(), TCIOFLUSH);
   return {.transport = TransportOf(descriptor.Take()), .reason = {}};
@@ -178,15 +242,25 @@ OpenedTransport OpenSerial(const std::string& place) {
 
 std::unique_ptr<Transport> TransportOf(int descriptor) { return std::make_unique<FileTransport>(descriptor); }
 
+std::string WrongAddress(std::string_view address) {
+  const ParsedAddress parsed = ParseAddress(address);
+  const auto* wrong = std::get_if<std::string>(&parsed);
+  return wrong != nullptr ? *wrong : std::string();
+}
+
 OpenedTransport OpenTransport(std::string_view address) {
-  const size_t colon = address.find(':');
-  const std::string_view kind = address.substr(0, colon);
-  const std::string place(colon == std::string_view::npos ? std::string_view() : address.substr(colon + 1));
-  if (kind == "tcp") return OpenTcp(place);
-  if (kind == "serial") return OpenSerial(place);
-  if (kind == "socket") return OpenSocket(place);
-  return {.transport = nullptr,
-          .reason = "'" + std::string(address) + "' is none of tcp:HOST:PORT, serial:DEVICE:BAUD, socket:PATH"};
+  const ParsedAddress parsed = ParseAddress(address);
+  if (const auto* wrong = std::get_if<std::string>(&parsed)) return {.transport = nullptr, .reason = *wrong};
+  const auto& wanted = std::get<Address>(parsed);
+  switch (wanted.wire) {
+    case Wire::kTcp:
+      return OpenTcp(wanted);
+    case Wire::kSerial:
+      return OpenSerial(wanted);
+    case Wire::kSocket:
+      return OpenSocket(wanted);
+  }
+  return {};
 }
 
 }  // namespace plcxx::debug_link

@@ -29,6 +29,9 @@ struct OpenedTransport {
   std::string reason;  // why there is none; lower case, no full stop
 };
 
+/// What is wrong with an address as it is written; empty: nothing.
+std::string WrongAddress(std::string_view address);
+
 /// "tcp:HOST:PORT", "serial:DEVICE:BAUD" (BAUD may be left out: 115200), "socket:PATH" (QEMU's -chardev
 /// socket,path=...).
 OpenedTransport OpenTransport(std::string_view address);

@@ -34,7 +34,7 @@ class HttpHandler {
 class HttpServer {
  public:
   virtual ~HttpServer() = default;
-  /// The port that it listens on; 0: it cannot.
+  /// The port that it listens on; 0: it cannot, and `errno` says why where the system did.
   virtual int Bind(const std::string& address, int port) = 0;
   /// Serves until Stop.
   virtual void Serve() = 0;

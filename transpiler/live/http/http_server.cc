@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <string>
 #include <thread>
@@ -72,6 +73,7 @@ class HttplibServer : public HttpServer {
   }
 
   int Bind(const std::string& address, int port) override {
+    errno = 0;
     if (port == 0) return std::max(0, server_.bind_to_any_port(address.c_str()));
     return server_.bind_to_port(address.c_str(), port) ? port : 0;
   }
