@@ -117,8 +117,9 @@ class ModbusIo {
   bool Address(const char* text) noexcept {
     const char* const colon = strrchr(text, ':');
     uint32_t port = 0;
-    if (colon == nullptr || static_cast<size_t>(colon - text) >= sizeof options_.host ||
-        !Number(colon + 1, 1, 65535, port))
+    const bool needs_host = options_.role == ModbusRole::kClient;  // a server may listen everywhere
+    if (colon == nullptr || (needs_host && colon == text) ||
+        static_cast<size_t>(colon - text) >= sizeof options_.host || !Number(colon + 1, 1, 65535, port))
       return Fail(text, "no address: write HOST:PORT");
     memcpy(options_.host, text, static_cast<size_t>(colon - text));
     snprintf(options_.port, sizeof options_.port, "%u", static_cast<unsigned>(port));
@@ -168,6 +169,7 @@ class ModbusIo {
         return Fail(word, "no option with a value; there are: --server, --client, --unit, --timeout, --poll, --safe");
       ++i;
       if (strcmp(word, "--server") == 0 || strcmp(word, "--client") == 0) {
+        if (addressed) return Fail(word, "a second address: one of --server and --client, once");
         options_.role = strcmp(word, "--server") == 0 ? ModbusRole::kServer : ModbusRole::kClient;
         if (!Address(value)) return false;
         addressed = true;

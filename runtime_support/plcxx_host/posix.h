@@ -3,6 +3,7 @@
 // You write the four functions of namespace plcxx::host below; pins have their numbers in NAME_pins.hpp.
 #pragma once
 
+#include <errno.h>
 #include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -30,6 +31,8 @@ struct LoopOptions {
   int priority = 80;
   uint64_t periods = 0;  // 0: until a signal ends it
   bool needs_real_time = false;
+  bool wants_help = false;
+  const char *wrong = nullptr, *why = nullptr;
   int first_argument = 1;
 };
 
@@ -40,19 +43,34 @@ inline void PrintToStandardError(Severity, const char* machine, const char* text
   fprintf(stderr, "%s: %s\n", machine, text);
 }
 
-inline int Usage(const char* name) {
-  fprintf(stderr,
+inline void PrintUsage(FILE* to, const char* name) {
+  fprintf(to,
           "usage: %s [--retentive FOLDER] [--priority 1..99] [--periods N] [--real-time] [-- ARGUMENT...]\n"
           "  --retentive FOLDER  keeps the retentive memory there, in two files\n"
           "  --priority N        of the loop's thread, SCHED_FIFO (80)\n"
           "  --periods N         ends after so many periods; else at SIGINT or SIGTERM\n"
-          "  --real-time         ends at once where the priority or locked memory is not granted\n",
+          "  --real-time         ends at once where the priority or locked memory is not granted\n"
+          "  -- ARGUMENT...      for what reads and writes the terminals\n",
           name);
-  return 2;
 }
 
-/// Whether all of it could be read.
+/// Digits alone: strtoull takes "-1" for a very large number.
+inline bool ReadWholeNumber(const char* text, uint64_t least, uint64_t most, uint64_t& value) {
+  if (*text < '0' || *text > '9') return false;
+  char* end = nullptr;
+  errno = 0;
+  value = strtoull(text, &end, 10);
+  return errno == 0 && *end == '\0' && value >= least && value <= most;
+}
+
+/// Whether all of it could be read; else `wrong` and `why` say what could not.
 inline bool ReadLoopOptions(int argc, char** argv, LoopOptions& options) {
+  const auto fail = [&options](const char* word, const char* why) {
+    options.wrong = word;
+    options.why = why;
+    return false;
+  };
+  bool has_priority = false;
   int i = 1;
   for (; i < argc; ++i) {
     const char* const word = argv[i];
@@ -60,23 +78,33 @@ inline bool ReadLoopOptions(int argc, char** argv, LoopOptions& options) {
       ++i;
       break;
     }
+    if (strcmp(word, "--help") == 0) {
+      options.wants_help = true;
+      return true;
+    }
     if (strcmp(word, "--real-time") == 0) {
       options.needs_real_time = true;
       continue;
     }
-    if (i + 1 == argc) return false;
+    const bool folder = strcmp(word, "--retentive") == 0, priority = strcmp(word, "--priority") == 0,
+               periods = strcmp(word, "--periods") == 0;
+    if (!folder && !priority && !periods) {
+      return fail(word, "no option of the loop; what is meant for the terminals comes after --");
+    }
+    if ((folder && options.folder != nullptr) || (priority && has_priority) || (periods && options.periods != 0)) {
+      return fail(word, "given twice");
+    }
+    if (i + 1 == argc) return fail(word, "needs a value");
     const char* const value = argv[++i];
-    char* end = nullptr;
-    if (strcmp(word, "--retentive") == 0) {
-      options.folder = value;
-    } else if (strcmp(word, "--priority") == 0) {
-      options.priority = static_cast<int>(strtol(value, &end, 10));
-      if (*end != '\0' || options.priority < 1 || options.priority > 99) return false;
-    } else if (strcmp(word, "--periods") == 0) {
-      options.periods = strtoull(value, &end, 10);
-      if (*end != '\0' || options.periods == 0) return false;
-    } else {
-      return false;
+    if (folder) options.folder = value;
+    uint64_t number = 0;
+    if (priority) {
+      if (!ReadWholeNumber(value, 1, 99, number)) return fail(value, "no priority: 1 to 99");
+      options.priority = static_cast<int>(number);
+      has_priority = true;
+    }
+    if (periods && !ReadWholeNumber(value, 1, UINT64_MAX, options.periods)) {
+      return fail(value, "no number of periods: 1 or more");
     }
   }
   options.first_argument = i;
@@ -112,7 +140,15 @@ int RunLoop(int argc, char** argv, Io& io) {
   static typename Machine::Host host;
   static Keeper<Machine> keeper;
   LoopOptions options;
-  if (!ReadLoopOptions(argc, argv, options)) return Usage(Machine::kName);
+  if (!ReadLoopOptions(argc, argv, options)) {
+    fprintf(stderr, "%s: '%s': %s\n", Machine::kName, options.wrong, options.why);
+    PrintUsage(stderr, Machine::kName);
+    return 2;
+  }
+  if (options.wants_help) {
+    PrintUsage(stdout, Machine::kName);
+    return 0;
+  }
   struct sigaction action{};
   action.sa_handler = PlcxxAskForEnd;
   sigaction(SIGINT, &action, nullptr);

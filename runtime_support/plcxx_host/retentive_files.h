@@ -36,6 +36,11 @@ class RetentiveFiles {
       errno = ENAMETOOLONG;
       return false;
     }
+    struct stat found{};
+    if (stat(folder, &found) == 0 && !S_ISDIR(found.st_mode)) {
+      errno = ENOTDIR;
+      return false;
+    }
     return access(folder, R_OK | W_OK | X_OK) == 0;
   }
 

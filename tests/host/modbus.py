@@ -218,6 +218,8 @@ def garbage_answers(folder):
 def wrong_options(folder):
     for arguments, words in (([], "missing: --server ADDRESS:PORT, or --client HOST:PORT"),
                              (["--client", "here"], "no address: write HOST:PORT"),
+                             (["--client", ":502"], "no address: write HOST:PORT"),
+                             (["--client", "a:1", "--server", "b:2"], "a second address: one of --server and --client, once"),
                              (["--client", "a:1", "--safe", "pump=1"], "no input of the program"),
                              (["--client", "a:1", "--safe", "i0a0=2"], "the pin cannot have this value"),
                              (["--client", "a:1", "--timeout", "0"], "no timeout: 1 to 60000 ms"),

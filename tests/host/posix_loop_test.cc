@@ -52,8 +52,28 @@ TEST(PosixLoop, RunsPeriodsUntilItsEnd) {
   EXPECT_THAT(ran.errors, HasSubstr("fan: 25 periods of 10 ms: late by "));
   EXPECT_TRUE(std::filesystem::exists(program.work.Path("kept/fan.a")));
 
-  EXPECT_EQ(program.Talk("--periods none", "").code, 2);
-  EXPECT_THAT(program.Talk("--periode 5", "").errors, HasSubstr("usage: fan [--retentive FOLDER]"));
+  struct Wrong {
+    const char *words, *message;
+  };
+  const Wrong kWrong[] = {
+      {"--periods none", "fan: 'none': no number of periods: 1 or more\n"},
+      {"--periods -1", "fan: '-1': no number of periods: 1 or more\n"},  // not 2^64 - 1
+      {"--periods 0", "fan: '0': no number of periods: 1 or more\n"},
+      {"--periods", "fan: '--periods': needs a value\n"},
+      {"--priority 100", "fan: '100': no priority: 1 to 99\n"},
+      {"--periods 5 --periods 6", "fan: '--periods': given twice\n"},
+      {"--periode 5", "fan: '--periode': no option of the loop; what is meant for the terminals comes after --\n"},
+  };
+  for (const Wrong& wrong : kWrong) {
+    const driver::Ran refused = program.Talk(wrong.words, "");
+    EXPECT_EQ(refused.code, 2) << refused;
+    EXPECT_THAT(refused.errors, HasSubstr(std::string(wrong.message) + "usage: fan [--retentive FOLDER]"));
+  }
+  const driver::Ran help = program.Talk("--help", "");
+  EXPECT_EQ(help.code, 0);
+  EXPECT_THAT(help.out, HasSubstr("usage: fan [--retentive FOLDER]"));
+  EXPECT_THAT(program.Talk("--periods 1 --retentive io.cpp", "").errors,
+              HasSubstr("retentive memory is not kept: io.cpp: Not a directory"));
   EXPECT_EQ(program.Talk("--periods 5 -- x", "").code, 1);
 }
 
