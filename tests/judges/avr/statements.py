@@ -252,7 +252,7 @@ class Statements(Expressions, Pointing, Forms, Customs):
             head = (f"for ({name} = {most}; {name} {self.random.choice(('>', '!='))} 0{{}}; {name}--) {{{{", *further)
         elif form == "while":
             before, head = both(f"{name} = {start};"), (f"while ({name} < {{}}) {{{{", text + further[0], avr + further[1])
-            tail = both(f"{add};") + tail
+            tail = self.changed_once(add) + tail
         elif form == "do":
             before, tail = both(f"{name} = {most + 1};"), both(f"{name} -= 1;") + both(f"}} while ({name} > 0);")
             head = ("do {{", "", "")
@@ -274,11 +274,24 @@ class Statements(Expressions, Pointing, Forms, Customs):
             return self.wrapped(declaration, limit_rows + result + behind, counter)
         else:
             label = self.fresh("again")
-            before, head = both(f"{name} = {start};") + both(f"{label}:"), ("{{", "", "") if GOTO_BODY_IN_BRACES else ("", "", "")
+            before = both(f"{name} = {start};")
+            if self.chance(25):  # the label is reached from above, too
+                test = self.condition(1)
+                before += Lines([f"if ({test.plc}) goto {label};"], [f"if ({test.avr}) goto {label};"]) + both(f"{name} = {2 - start};")
+            before, head = before + both(f"{label}:"), ("{{", "", "") if GOTO_BODY_IN_BRACES else ("", "", "")
             tail = both(add + ";") + Lines([f"if ({name} < {text}) goto {label};"], [f"if ({name} < {avr}) goto {label};"]) + (tail if GOTO_BODY_IN_BRACES else Lines())
         made = before + Lines([head[0].format(head[1])], [head[0].format(head[2])]) + body + tail
         self.protected -= {name}
         return self.wrapped(declaration, limit_rows + made + behind, counter)
+
+    def changed_once(self, add):
+        """At the end of a round, in one place or in each arm of an if."""
+        if self.chance(80):
+            return both(f"{add};")
+        test = self.condition(1)
+        last = self.random.choice((f"}} {add};", f"}} else {{ {add}; }}"))
+        middle = f"{add}; continue; " if last.startswith("} " + add) else f"{add}; "
+        return Lines([f"if ({test.plc}) {{ {middle}{last}"], [f"if ({test.avr}) {{ {middle}{last}"])
 
     def further_test(self):
         if self.chance(80):
