@@ -19,6 +19,23 @@ steps:
 - expect: {U4A8: 1}
 """
 
+# Two words that this makes the same are the same, which no solver finds in seconds.
+MIXED = """#include "plc.h"
+static unsigned long a, b, p, q;
+void init() { plc1_time = 16; plc2_time = 32; }
+void plc1()
+{
+    a = ((unsigned long)X[0] << 24) | ((unsigned long)X[1] << 16) | ((unsigned long)X[2] << 8) | X[3];
+    b = ((unsigned long)X[4] << 24) | ((unsigned long)X[5] << 16) | ((unsigned long)X[6] << 8) | X[7];
+    p = a;
+    q = b;
+    p ^= p >> 16; p *= 0x85ebca6bul; p ^= p >> 13; p *= 0xc2b2ae35ul; p ^= p >> 16;
+    q ^= q >> 16; q *= 0x85ebca6bul; q ^= q >> 13; q *= 0xc2b2ae35ul; q ^= q >> 16;
+    if (p == q && a != b) Y[0] |= 1;
+}
+void plc2() {}
+"""
+
 
 class Client:
     def __init__(self, plcxx, folder, *options):
@@ -160,6 +177,21 @@ def of_a_project(client, folder):
     (folder / "plcxx.yaml").unlink()
 
 
+def ends_in_time(client, folder):
+    """What was found until then is the answer: the tool is given less time than after which it is ended."""
+    (folder / "mixed.cld").write_text(MIXED)
+    (folder / "other.cld").write_text(MIXED.replace("|= 1", "|= 3"))
+    sources = ["mixed.cld"]
+    for properties in (["never Y0.0"], ["never Y0.0", "never Y0.0 and X0.0"]):
+        found = client.call("prove", sources=sources, properties=properties, seconds=4)
+        verdicts = [(one["verdict"], one.get("reason")) for one in found.get("proof", {"properties": []})["properties"]]
+        assert verdicts == [("not decided", "the time was not enough")] * len(properties), found
+    found = client.call("why", signal="Y0.0", can=True, sources=sources, seconds=4)
+    assert not found.get("timedOut") and found["why"]["can"] == "undecided", found
+    found = client.call("diff", old="mixed.cld", new="other.cld", seconds=4)
+    assert not found.get("timedOut") and found["diff"], found
+
+
 def wrong(client, folder, outside):
     for path in ["../outside.plc", "/etc/passwd", "-o", "", "new/../../outside.plc", "link/outside.plc"]:
         client.refused("check", sources=[path])
@@ -209,6 +241,7 @@ def main():
         assert client.ask("ping")["result"] == {}
         tools(client, folder)
         of_a_project(client, folder)
+        ends_in_time(client, folder)
         (folder / "link").symlink_to(directory)
         wrong(client, folder, outside)
         client.end()
