@@ -177,5 +177,30 @@ TEST(BadInput, ElevenSources) {
   ExpectRefused(work, arguments, "nc110-51");
 }
 
+TEST(BadInput, FilesThatAreNoSourcesAreToldWithTheCause) {
+  const Workplace work;
+  work.Write("main.plc", "$\nU4A0=I0A0\n");
+  work.Write("doors.prop", "never U4A0 and U4A1\n");
+  work.Write("run.vcd", "");
+  const auto refused = [&](const std::string& command) {
+    const Ran ran = work.Run(command);
+    EXPECT_EQ(ran.code, 2) << ran;
+    return ran.errors;
+  };
+  EXPECT_THAT(refused("prove main.plc --property dors.prop"),
+              HasSubstr("cannot read 'dors.prop': no such file, did you mean 'doors.prop'; --property names a file of "
+                        "properties, one a line"));
+  EXPECT_THAT(refused("prove main.plc --property ."), HasSubstr("cannot read '.': it is a directory; "));
+  EXPECT_THAT(refused("live main.plc --no-browser --vcd rum.vcd"),
+              HasSubstr("cannot read 'rum.vcd': no such file, did you mean 'run.vcd'; --vcd names a recorded trace"));
+  EXPECT_THAT(refused("identify man.plc"), HasSubstr("'man.plc' is no file that can be read, did you mean 'main.plc'"));
+  EXPECT_THAT(refused("live main.plc --link tcp:here:99999 --read U4A0"), HasSubstr("'99999' is no port: 1 to 65535"));
+  EXPECT_THAT(refused("live main.plc --link socket:none --force U4A0=1,U4A0=0"),
+              HasSubstr("'U4A0' is given two values"));
+  EXPECT_THAT(refused("live main.plc --link socket:none --watch U4A0 --save main.plc/x.vcd"),
+              HasSubstr("cannot write 'main.plc/x.vcd': not a directory"));  // before the machine is asked
+  EXPECT_THAT(refused("live main.plc --link somewhere"), HasSubstr("'somewhere' is none of tcp:HOST:PORT, "));
+}
+
 }  // namespace
 }  // namespace plcxx::driver

@@ -125,6 +125,7 @@ TEST_F(Sim, WordsThatMeanNothing) {
                                       "--at 1s:I0A0=2",
                                       "--at x:I0A0=1",
                                       "--force U4A0=2",
+                                      "--force U4A0=1 --force U4A0=0",
                                       "--force OPERATOR_TEXT=a",
                                       "--trigger U4A0",
                                       "--trigger up:U4A0",

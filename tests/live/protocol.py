@@ -215,11 +215,14 @@ def wrong_use(plcxx, folder):
                               timeout=60, check=False)
     assert run("none.plc").returncode == 1
     assert run("lamp.plc", "--port", "0").returncode == 2
-    assert run("lamp.plc", "--listen", "no.such.address.example").returncode == 2
+    for address in ("no.such.address.example", "198.51.100.77"):
+        nowhere = run("lamp.plc", "--listen", address)
+        assert nowhere.returncode == 2 and "this machine has no such address" in nowhere.stderr, nowhere
     (folder / "wrong.plc").write_text("$\nU4A8=\n")
     assert run("wrong.plc").returncode == 1
     with Server(plcxx, ["lamp.plc"], folder) as server:
-        assert run("lamp.plc", "--port", str(server.port)).returncode == 2
+        taken = run("lamp.plc", "--port", str(server.port))
+        assert taken.returncode == 2 and "another program listens there" in taken.stderr, taken
         other = Server(plcxx, ["lamp.plc"], folder)
         assert other.port != server.port
         assert other.end(signal.SIGTERM) == 0

@@ -18,6 +18,7 @@
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
 #include "transpiler/identity/identity.h"
+#include "transpiler/source/near_file.h"
 #include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
@@ -48,7 +49,8 @@ constexpr uintmax_t kMostBytes = uintmax_t{1} << 30;
 std::optional<std::string> BytesOf(const std::string& path) {
   std::error_code failed;
   if (!std::filesystem::is_regular_file(path, failed)) {
-    PrintUsageError("'" + path + "' is no file that can be read");
+    const std::string near = std::filesystem::exists(path, failed) ? "" : source::DidYouMeanFile(path);
+    PrintUsageError("'" + path + "' is no file that can be read" + near);
     return std::nullopt;
   }
   if (const uintmax_t size = std::filesystem::file_size(path, failed); failed || size > kMostBytes) {

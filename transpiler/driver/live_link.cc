@@ -2,6 +2,7 @@
 
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <iostream>
@@ -117,6 +118,9 @@ bool LinkSession::FindValues(const std::vector<std::string>& assignments, std::v
     const auto value = live::FindValue(compilation_, linked.location, std::string_view(assignment).substr(equals + 1));
     if (const auto* reason = std::get_if<std::string>(&value)) return UsageError(linked.name + ": " + *reason), false;
     linked.value = std::get<uint64_t>(value);
+    if (std::ranges::count(found, linked.name, &Linked::name) > 1) {
+      return UsageError("'" + linked.name + "' is given two values"), false;
+    }
   }
   return true;
 }

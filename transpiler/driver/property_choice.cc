@@ -5,9 +5,9 @@
 
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/named_file.h"
 #include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
@@ -54,10 +54,8 @@ int ReadProperties(const ChosenProperties& chosen, const CommonOptions& options,
                                         compilation.diagnostics));
   }
   for (const std::string& path : chosen.files) {
-    const std::optional<std::string> text = support::ReadFile(path);
-    if (!text) {
-      return UsageError("cannot read '" + path + "': --property names a file of properties, one a line");
-    }
+    const std::optional<std::string> text = ReadNamedFile(path, "--property names a file of properties, one a line");
+    if (!text) return kWrongUse;
     add(scenarios::PropertiesOfFile(path, *text, dialect.name, context, *compilation.sources, compilation.diagnostics));
   }
   if (compilation.ok()) return kDone;

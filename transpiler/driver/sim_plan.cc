@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "transpiler/scenarios/control.h"
@@ -139,10 +140,13 @@ bool Planner::At() {
 }
 
 bool Planner::Forced() {
+  std::set<std::string> names;
   for (const std::string& text : words_.force) {
     SimValue value;
     if (!TakeAssignment(text, value)) return false;
     if (value.location.text_input || value.location.cell) return Fail(Quoted(text) + " cannot be forced");
+    const std::string name = text.substr(0, text.find('='));
+    if (!names.insert(name).second) return Fail(Quoted(name) + " is forced twice");
     plan_.forced.push_back(std::move(value));
   }
   return true;

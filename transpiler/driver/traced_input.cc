@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "transpiler/diagnostics/terminal_text.h"
+#include "transpiler/driver/named_file.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/support/listed.h"
-#include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
@@ -17,11 +17,8 @@ constexpr size_t kMaxNamed = 10;
 }  // namespace
 
 std::optional<sim::Vcd> ReadWaveform(const std::string& path) {
-  const std::optional<std::string> text = support::ReadFile(path);
-  if (!text) {
-    PrintUsageError("cannot read '" + path + "'");
-    return std::nullopt;
-  }
+  const std::optional<std::string> text = ReadNamedFile(path, "--vcd names a recorded trace");
+  if (!text) return std::nullopt;
   std::variant<sim::Vcd, sim::VcdError> read = sim::ReadVcd(*text);
   if (const auto* error = std::get_if<sim::VcdError>(&read)) {
     std::cerr << diag::Escaped(path) << ":" << error->line << ": error: " << diag::Escaped(error->message) << "\n";
