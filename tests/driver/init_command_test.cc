@@ -84,6 +84,16 @@ TEST(InitCommand, DeclarationsComeFirstThoughNothingButAWarningSaysSo) {
   EXPECT_THAT(work.Read("plcxx.yaml"), HasSubstr("sources: [b.plc, a.plc]"));
 }
 
+TEST(InitCommand, ALanguageThatNoFileIsIn) {
+  const Workplace work;
+  work.Write("machine.cld", "void init() {}\n");
+  const Ran other = work.Run("init --dialect host50");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.errors, HasSubstr("no file in '.' is a source of host50; without --dialect, plcxx looks for the"));
+  work.Write("machine.cld", "");
+  EXPECT_THAT(work.Run("init").errors, HasSubstr("a source that plcxx knows; --dialect NAME says which language"));
+}
+
 TEST(InitCommand, ColumnsAreLettersAndNotBytes) {
   const Workplace work;
   for (const std::string name : {"ШЛИФ.plc", "a.plc", "ДЛИННОЕ_ИМЯ_ФАЙЛА_1.plc"})

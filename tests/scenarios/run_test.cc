@@ -95,13 +95,14 @@ TEST(ScenarioRun, Messages) {
 }
 
 TEST(ScenarioRun, WhatIsWrongIsToldBeforeAnythingRuns) {
-  EXPECT_EQ(ScenarioBench().Run("- expect: {Q0: 1}\n- set: {Q7: 1, W1: 256, W2: -1, I0: maybe}\n"
-                                "- expect: {OPERATOR_TEXT: A}\n- force: {I0: -1}\n"),
-            "s.yaml:3:9: 'Q7' is no location of dialect test\n"
-            "s.yaml:3:20: value 256 does not fit: 'W1' takes 0 to 255\n"
-            "s.yaml:3:37: 'maybe' is no value: 'I0' takes 0 to 1\n"
-            "s.yaml:4:12: 'OPERATOR_TEXT' can only be set: it sends a text\n"
-            "s.yaml:5:15: value -1 does not fit: 'I0' takes 0 to 1");
+  EXPECT_EQ(
+      ScenarioBench().Run("- expect: {Q0: 1}\n- set: {Q7: 1, W1: 256, W2: -1, I0: maybe}\n"
+                          "- expect: {OPERATOR_TEXT: A}\n- force: {I0: -1}\n"),
+      "s.yaml:3:9: 'Q7' is no location of dialect test; 'plcxx report --print-symbols' lists those of the program\n"
+      "s.yaml:3:20: value 256 does not fit: 'W1' takes 0 to 255\n"
+      "s.yaml:3:37: 'maybe' is no value: 'I0' takes 0 to 1\n"
+      "s.yaml:4:12: 'OPERATOR_TEXT' can only be set: it sends a text\n"
+      "s.yaml:5:15: value -1 does not fit: 'I0' takes 0 to 1");
   EXPECT_EQ(ScenarioBench().Run("- expect_calls: [{fault: {kind: SMALL, number: 2}}]\n"),
             "s.yaml:2:33: 'SMALL' is no value of 'kind'; there are: PARAM_RANGE, LOOP_LIMIT\n"
             "s.yaml:2:40: 'number' is no parameter of 'fault'; there are: kind, index");

@@ -93,8 +93,11 @@ int RunInit(const InitSettings& settings) {
   }
   std::vector<project::ProposedProgram> programs = project::ProposePrograms(folder, settings.dialect);
   if (programs.empty()) {
-    PrintUsageError("no file in '" + (folder.empty() ? std::string(".") : folder) +
-                    "' is a source that plcxx knows; --dialect NAME says which language they are in");
+    PrintUsageError(
+        "no file in '" + (folder.empty() ? std::string(".") : folder) +
+        (settings.dialect.empty()
+             ? "' is a source that plcxx knows; --dialect NAME says which language they are in"
+             : "' is a source of " + settings.dialect + "; without --dialect, plcxx looks for the language itself"));
     return kProgramHasErrors;
   }
   for (const project::ProposedProgram& program : programs) Show(program);

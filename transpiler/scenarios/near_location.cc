@@ -7,7 +7,9 @@
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::scenarios {
+namespace {
 
+/// Empty where none is near.
 std::string DidYouMeanLocation(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text) {
   std::set<std::string, std::less<>> names;
   for (const ir::Place& place : program.places) names.insert(place.address);
@@ -26,10 +28,16 @@ std::string DidYouMeanLocation(const dialects::Dialect& dialect, const ir::Progr
   return dialect.locate(index, as_written) ? ", did you mean '" + as_written + "'" : std::string();
 }
 
-std::string NoSuchLocation(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text) {
+}  // namespace
+
+std::string WhichLocations(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text) {
   const std::string near = DidYouMeanLocation(dialect, program, text);
+  return near.empty() ? "; 'plcxx report --print-symbols' lists those of the program" : near;
+}
+
+std::string NoSuchLocation(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text) {
   return "'" + std::string(text) + "' is no location of " + std::string(dialect.name) +
-         (near.empty() ? "; 'plcxx report --print-symbols' lists those of the program" : near);
+         WhichLocations(dialect, program, text);
 }
 
 }  // namespace plcxx::scenarios

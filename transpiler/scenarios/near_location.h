@@ -9,8 +9,8 @@
 
 namespace plcxx::scenarios {
 
-/// ", did you mean 'U4A8'", of the names and addresses that the program uses; empty where none is near.
-std::string DidYouMeanLocation(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text);
+/// ", did you mean 'U4A8'", of the names and addresses that the program uses; where none is near, what lists them.
+std::string WhichLocations(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text);
 
 /// "'U4AA8' is no location of nc110, did you mean 'U4A8'".
 std::string NoSuchLocation(const dialects::Dialect& dialect, const ir::Program& program, std::string_view text);

@@ -132,7 +132,7 @@ class ScenarioPlanner {
     const std::optional<dialects::Location> location = dialect_.locate(names_, written.text);
     if (!location) {
       Fail(written.mark, "'" + written.text + "' is no location of dialect " + std::string(dialect_.name) +
-                             DidYouMeanLocation(dialect_, program_, written.text));
+                             WhichLocations(dialect_, program_, written.text));
     } else if (location->text_input && use != Use::kSet) {
       Fail(written.mark, "'" + written.text + "' can only be set: it sends a text");
       return std::nullopt;
