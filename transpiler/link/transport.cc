@@ -112,9 +112,8 @@ struct Address {
 
 std::optional<int> WholeNumber(std::string_view text) {
   int number = 0;
-  const char* const end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, number);
-  return parsed.ec == std::errc() && parsed.ptr == end ? std::optional(number) : std::nullopt;
+  const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && last == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
 /// An address, or what is wrong with it as it is written.
