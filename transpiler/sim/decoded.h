@@ -29,9 +29,11 @@ struct Decoded {
 };
 static_assert(sizeof(Decoded) <= 32);
 
-/// Stretches of decoded instructions.
+/// Stretches of decoded instructions: each by itself, constants at the end, and ready to be executed, in rungs
+/// (rungs.h) where there are some.
 struct DecodedRegion {
   uint32_t begin = 0, constants = 0, end = 0;
+  uint32_t ready_begin = 0, ready_end = 0;
 };
 
 }  // namespace plcxx::sim

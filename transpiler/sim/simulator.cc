@@ -30,6 +30,7 @@ void Simulator::PowerOn() {
   instances_.Clear();
   now_ms_ = 0;
   whole_ms_ = 0;
+  FindBases();
   Run(program_.schedule.init);
 }
 

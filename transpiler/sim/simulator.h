@@ -21,6 +21,7 @@
 #include "transpiler/sim/last_writes.h"
 #include "transpiler/sim/local_stretches.h"
 #include "transpiler/sim/place_access.h"
+#include "transpiler/sim/rungs.h"
 
 namespace plcxx::sim {
 
@@ -113,6 +114,9 @@ class Simulator : public Engine {
   bool is_careful() const { return switched_off_count_ > 0 || at_statement_; }
   void Note(uint32_t id) { given_[id] = static_cast<uint8_t>(given_[id] | (values_[id] != 0 ? kGaveOther : kGave0)); }
   void Decode();
+  void FindRungs(DecodedRegion& region);
+  /// Where bits of rungs stand, which may be other memory after a Restore.
+  void FindBases();
   Decoded DecodedOf(ir::InstId id) const;
 
   /// Of a statement that is switched off: the other statements in the regions that its jumps made.
@@ -151,7 +155,11 @@ class Simulator : public Engine {
   std::vector<Decoded> decoded_;
   std::vector<uint32_t> decoded_at_;            // by InstId: in decoded_
   std::vector<DecodedRegion> decoded_regions_;  // by RegionId
-  std::vector<bool> switched_off_;              // by StatementId
+  std::vector<Decoded> ready_;                  // what is executed; see DecodedRegion
+  std::vector<Rung> rungs_;
+  std::vector<LogicStep> logic_;
+  std::vector<const unsigned char*> bases_;  // by BitBase
+  std::vector<bool> switched_off_;           // by StatementId
   size_t switched_off_count_ = 0;
   Current current_;
   ir::InstId leaving_;

@@ -1,6 +1,8 @@
 // The simulator's instructions: the function of each, and what it is given.
 
+#include <bit>
 #include <cstring>
+#include <optional>
 #include <type_traits>
 
 #include "plcxx/arith.h"
@@ -157,6 +159,52 @@ struct Simulator::Functions {
     }
     PLCXX_UNREACHABLE();
   }
+  /// A rung: its statement begins, its contacts are joined, its coil is written.
+  static Flow ExecuteRung(Simulator& simulator, const Decoded& inst) {
+    const Rung& rung = simulator.rungs_[inst.a];
+    const Decoded* const first = simulator.decoded_.data() + rung.first;
+    if (rung.has_statement) simulator.current_ = {.statement = ir::StatementId(first->payload)};
+    const unsigned char* const* const bases = simulator.bases_.data();
+    const LogicStep* const steps = simulator.logic_.data() + rung.first_step;
+    uint64_t* const values = simulator.values_.data();
+    const auto bit_of = [bases](const BitSource& source) {
+      return bases[static_cast<size_t>(source.base)][source.byte] >> source.bit & 1;
+    };
+    for (const LogicStep* step = steps; step != steps + rung.step_count; ++step)
+      values[step->id] = static_cast<uint64_t>(step->truth >> (bit_of(step->a) | bit_of(step->b) << 1) & 1);
+    if (rung.has_coil) StoreBit(simulator, first[rung.count - 1]);
+    if (!simulator.given_.empty()) {
+      for (uint32_t i = 0; i < rung.count; ++i) simulator.Note(first[i].id);
+    }
+    return Flow::kOn;
+  }
+  /// The step that an instruction is in a rung; none: it is nothing for one.
+  static std::optional<LogicStep> StepOf(const ir::Inst& inst, const Decoded& decoded) {
+    const auto value = [](uint32_t id) {
+      constexpr uint32_t kLowest = std::endian::native == std::endian::little ? 0 : sizeof(uint64_t) - 1;
+      return BitSource{.byte = id * static_cast<uint32_t>(sizeof(uint64_t)) + kLowest};
+    };
+    constexpr uint8_t kItself = TruthOf([](bool a, bool) { return a; });
+    const auto of_two = [&](uint8_t truth) {
+      return LogicStep{.a = value(inst.a), .b = value(inst.b), .id = decoded.id, .truth = truth};
+    };
+    const auto of_one = [&](BitSource source, uint8_t truth) {
+      return LogicStep{.a = source, .b = source, .id = decoded.id, .truth = truth};
+    };
+    if (inst.type != ir::Type::kBit) return std::nullopt;
+    if (decoded.execute == LoadBit) {
+      const auto base = static_cast<BitBase>(static_cast<uint32_t>(BitBase::kSpaces) + decoded.space());
+      return of_one({.byte = decoded.byte(), .base = base, .bit = static_cast<uint8_t>(decoded.bit())}, kItself);
+    }
+    if (decoded.execute == LoadField<uint8_t>)
+      return of_one({.byte = decoded.byte(), .base = BitBase::kInstances}, kItself);
+    if (decoded.execute == BitAnd) return of_two(TruthOf(plcxx::BitAnd));
+    if (decoded.execute == BitOr) return of_two(TruthOf(plcxx::BitOr));
+    if (decoded.execute == BitXor) return of_two(TruthOf(plcxx::BitXor));
+    if (decoded.execute == BitNot) return of_one(value(inst.a), TruthOf([](bool a, bool) { return plcxx::BitNot(a); }));
+    return std::nullopt;
+  }
+
   static Function Of(ir::OpKind op) {
     switch (op) {
 #define PLCXX_PURE(Kind, ...) \
@@ -216,6 +264,51 @@ void Simulator::Decode() {
     }
     region.end = static_cast<uint32_t>(decoded_.size());
   }
+  for (DecodedRegion& region : decoded_regions_) FindRungs(region);
+}
+
+void Simulator::FindRungs(DecodedRegion& region) {
+  constexpr uint32_t kLeast = 3;  // instructions; of fewer there is little to win
+  region.ready_begin = static_cast<uint32_t>(ready_.size());
+  for (uint32_t at = region.begin; at < region.constants;) {
+    Rung rung{.first = at, .first_step = static_cast<uint32_t>(logic_.size())};
+    uint32_t end = at;
+    const auto op = [&] { return program_[ir::InstId(decoded_[end].id)].op; };
+    rung.has_statement = op() == ir::OpKind::kStatement;
+    end += rung.has_statement ? 1 : 0;
+    while (end < region.constants) {
+      const Decoded& decoded = decoded_[end];
+      const std::optional<LogicStep> step = Functions::StepOf(program_[ir::InstId(decoded.id)], decoded);
+      if (!step) break;
+      logic_.push_back(*step);
+      ++end;
+    }
+    rung.step_count = static_cast<uint32_t>(logic_.size()) - rung.first_step;
+    rung.has_coil = end < region.constants && decoded_[end].execute == Functions::StoreBit;
+    end += rung.has_coil ? 1 : 0;
+    rung.count = end - at;
+    if (rung.count < kLeast) {
+      logic_.resize(rung.first_step);
+      ready_.push_back(decoded_[at]);
+      ++at;
+      continue;
+    }
+    const Decoded& last = decoded_[end - 1];
+    ready_.push_back({.execute = Functions::ExecuteRung,
+                      .id = last.id,
+                      .order = last.order,
+                      .a = static_cast<uint32_t>(rungs_.size())});
+    rungs_.push_back(rung);
+    at = end;
+  }
+  region.ready_end = static_cast<uint32_t>(ready_.size());
+}
+
+void Simulator::FindBases() {
+  bases_.clear();
+  bases_.push_back(reinterpret_cast<const unsigned char*>(values_.data()));
+  bases_.push_back(instances_.bytes());
+  for (const ForcedBytes& space : spaces_) bases_.push_back(space.bytes().data());
 }
 
 }  // namespace plcxx::sim

@@ -27,6 +27,7 @@ void Simulator::Run(ir::RoutineId id) {
 
 void Simulator::RunPartition(ir::RoutineId routine) {
   if (!routine.valid()) return;
+  FindBases();
   BeginLocals(locals_[routine.index]);
   Run(routine);
 }
@@ -76,8 +77,8 @@ Flow Simulator::ExecuteAll(const DecodedRegion& region) {
   executed_ += count;
   uint32_t done = count;
   Flow flow = Flow::kOn;
-  const Decoded* const constants = decoded_.data() + region.constants;
-  for (const Decoded* inst = decoded_.data() + region.begin; inst != constants; ++inst) {
+  const Decoded* const ready_end = ready_.data() + region.ready_end;
+  for (const Decoded* inst = ready_.data() + region.ready_begin; inst != ready_end; ++inst) {
     flow = inst->execute(*this, *inst);
     if constexpr (kNotes) Note(inst->id);
     if (flow == Flow::kOn) continue;
@@ -86,7 +87,7 @@ Flow Simulator::ExecuteAll(const DecodedRegion& region) {
   }
   executed_ -= count - done;
   if constexpr (kNotes) {
-    for (const Decoded* inst = constants; inst != decoded_.data() + region.end; ++inst) {
+    for (const Decoded* inst = decoded_.data() + region.constants; inst != decoded_.data() + region.end; ++inst) {
       if (inst->order < done) Note(inst->id);
     }
   }
