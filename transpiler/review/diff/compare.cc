@@ -17,6 +17,7 @@
 #include "transpiler/review/diff/runs.h"
 #include "transpiler/review/diff/search.h"
 #include "transpiler/review/diff/statements.h"
+#include "transpiler/review/diff/turns.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -246,6 +247,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
                                     .progress = options.progress};
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
   std::optional<DirectedSearch> search;
+  Turns turns;
   uint32_t round = 0;
   bool scenarios_are_run = false;
   const auto is_seen = [&runs](CellId cell) { return runs.difference_of.contains(cell); };
@@ -286,6 +288,20 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       search->RunWideFromMoments(open(), Clock::now() + (wide_end - Clock::now()) / 2, runs);
       search->RunWide(open(), wide_end, runs);
     };
+    const auto is_many = [&] { return open().size() > kMostSought; };
+    const auto take_turn = [&](Way way, Clock::time_point turn_end) {
+      const Clock::time_point turn_begin = Clock::now();
+      const size_t before = runs.difference_of.size();
+      switch (way) {
+        case Way::kWide:
+          run_wide(turn_end);
+          break;
+        case Way::kAtWork:
+          search->Run(open(), turn_end, runs);
+          break;
+      }
+      turns.Took(way, Clock::now() - turn_begin, runs.difference_of.size() - before);
+    };
     const auto counts_share = [&search] { return search->has_changed_constants() ? kSearchShare : 4 * kSearchShare; };
     switch (effort) {
       case Effort::kScenarios:
@@ -301,25 +317,25 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
         run_both(open(), part(kSearchShare), true);
         ++round;
         search->Follow(sought.runs, part(kSearchShare), runs);
-        run_wide(part(kSearchShare));
-        search->Run(open(), part(kSearchShare), runs);
+        take_turn(Way::kWide, part(is_many() ? 2 * kSearchShare : kSearchShare));
+        take_turn(Way::kAtWork, part(is_many() ? 2 * kSearchShare : kSearchShare));
         search->RunCounts(open(), part(counts_share()), runs);
         run_both(open(), compare_end);
         break;
       case Effort::kLasting: {
         search->Follow(sought.runs, compare_end, runs);
+        ++round;
+        const Clock::time_point lasting_end = std::min(compare_end, Clock::now() + std::chrono::milliseconds(most_ms));
+        if (is_many()) {
+          take_turn(turns.Next(), lasting_end);
+          break;
+        }
         const auto counts_ms = std::chrono::milliseconds(most_ms / (counts_share() / kSearchShare * 3));
         search->RunCounts(open(), std::min(compare_end, Clock::now() + counts_ms), runs);
-        const Clock::time_point lasting_end = std::min(compare_end, Clock::now() + std::chrono::milliseconds(most_ms));
-        // Where much is open it is found in many runs at once, or hardly.
-        const bool is_many = open().size() > kMostSought;
-        run_wide(lasting_end - std::chrono::milliseconds(is_many ? most_ms / 5 : most_ms / 2));
-        // By turns: what begins with a machine at work, and what waits long or counts from power-on.
-        ++round;
-        const Clock::time_point half_end = Clock::now() + (lasting_end - Clock::now()) / 2;
-        const bool is_run = open().size() <= kMostSought;
-        search->Run(open(), is_run ? half_end : lasting_end, runs);
-        if (is_run) run_both(open(), lasting_end);
+        // By turns: many runs at once, what begins with a machine at work, and what waits long or counts from power-on.
+        take_turn(Way::kWide, lasting_end - std::chrono::milliseconds(most_ms / 2));
+        take_turn(Way::kAtWork, Clock::now() + (lasting_end - Clock::now()) / 2);
+        run_both(open(), lasting_end);
         break;
       }
     }
