@@ -26,6 +26,15 @@ struct Decoded {
   uint32_t byte() const { return b; }
   uint32_t space() const { return c; }
   uint32_t bit() const { return payload; }
+
+  // Of a rung (rungs.h), whose id and order are those of its last instruction: the first of the instructions that it
+  // is, its steps, and what stands around them.
+  static constexpr uint32_t kHasStatement = 1, kHasCoil = 2;
+  uint32_t first() const { return a; }
+  uint32_t first_step() const { return b; }
+  uint32_t step_count() const { return c; }
+  bool has_statement() const { return (payload & kHasStatement) != 0; }
+  bool has_coil() const { return (payload & kHasCoil) != 0; }
 };
 static_assert(sizeof(Decoded) <= 32);
 

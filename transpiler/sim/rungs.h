@@ -38,11 +38,4 @@ constexpr uint8_t TruthOf(F function) {
   return static_cast<uint8_t>(truth);
 }
 
-/// What a decoded rung covers.
-struct Rung {
-  uint32_t first = 0, count = 0;                 // of the decoded instructions, one after the other
-  uint32_t first_step = 0, step_count = 0;       // of the steps
-  bool has_statement = false, has_coil = false;  // the first instruction, the last one
-};
-
 }  // namespace plcxx::sim

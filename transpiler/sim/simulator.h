@@ -156,7 +156,6 @@ class Simulator : public Engine {
   std::vector<uint32_t> decoded_at_;            // by InstId: in decoded_
   std::vector<DecodedRegion> decoded_regions_;  // by RegionId
   std::vector<Decoded> ready_;                  // what is executed; see DecodedRegion
-  std::vector<Rung> rungs_;
   std::vector<LogicStep> logic_;
   std::vector<const unsigned char*> bases_;  // by BitBase
   std::vector<bool> switched_off_;           // by StatementId

@@ -161,20 +161,20 @@ struct Simulator::Functions {
   }
   /// A rung: its statement begins, its contacts are joined, its coil is written.
   static Flow ExecuteRung(Simulator& simulator, const Decoded& inst) {
-    const Rung& rung = simulator.rungs_[inst.a];
-    const Decoded* const first = simulator.decoded_.data() + rung.first;
-    if (rung.has_statement) simulator.current_ = {.statement = ir::StatementId(first->payload)};
+    const Decoded* const first = simulator.decoded_.data() + inst.first();
+    if (inst.has_statement()) simulator.current_ = {.statement = ir::StatementId(first->payload)};
     const unsigned char* const* const bases = simulator.bases_.data();
-    const LogicStep* const steps = simulator.logic_.data() + rung.first_step;
+    const LogicStep *const steps = simulator.logic_.data() + inst.first_step(), *const end = steps + inst.step_count();
     uint64_t* const values = simulator.values_.data();
     const auto bit_of = [bases](const BitSource& source) {
       return bases[static_cast<size_t>(source.base)][source.byte] >> source.bit & 1;
     };
-    for (const LogicStep* step = steps; step != steps + rung.step_count; ++step)
+    for (const LogicStep* step = steps; step != end; ++step)
       values[step->id] = static_cast<uint64_t>(step->truth >> (bit_of(step->a) | bit_of(step->b) << 1) & 1);
-    if (rung.has_coil) StoreBit(simulator, first[rung.count - 1]);
+    const uint32_t count = inst.step_count() + (inst.has_statement() ? 1 : 0) + (inst.has_coil() ? 1 : 0);
+    if (inst.has_coil()) StoreBit(simulator, first[count - 1]);
     if (!simulator.given_.empty()) {
-      for (uint32_t i = 0; i < rung.count; ++i) simulator.Note(first[i].id);
+      for (uint32_t i = 0; i < count; ++i) simulator.Note(first[i].id);
     }
     return Flow::kOn;
   }
@@ -268,14 +268,15 @@ void Simulator::Decode() {
 }
 
 void Simulator::FindRungs(DecodedRegion& region) {
-  constexpr uint32_t kLeast = 3;  // instructions; of fewer there is little to win
+  constexpr uint32_t kLeast = 6;  // instructions; with fewer a rung is no faster than they are
   region.ready_begin = static_cast<uint32_t>(ready_.size());
   for (uint32_t at = region.begin; at < region.constants;) {
-    Rung rung{.first = at, .first_step = static_cast<uint32_t>(logic_.size())};
-    uint32_t end = at;
-    const auto op = [&] { return program_[ir::InstId(decoded_[end].id)].op; };
-    rung.has_statement = op() == ir::OpKind::kStatement;
-    end += rung.has_statement ? 1 : 0;
+    const auto first_step = static_cast<uint32_t>(logic_.size());
+    uint32_t end = at, flags = 0;
+    if (program_[ir::InstId(decoded_[end].id)].op == ir::OpKind::kStatement) {
+      flags |= Decoded::kHasStatement;
+      ++end;
+    }
     while (end < region.constants) {
       const Decoded& decoded = decoded_[end];
       const std::optional<LogicStep> step = Functions::StepOf(program_[ir::InstId(decoded.id)], decoded);
@@ -283,12 +284,13 @@ void Simulator::FindRungs(DecodedRegion& region) {
       logic_.push_back(*step);
       ++end;
     }
-    rung.step_count = static_cast<uint32_t>(logic_.size()) - rung.first_step;
-    rung.has_coil = end < region.constants && decoded_[end].execute == Functions::StoreBit;
-    end += rung.has_coil ? 1 : 0;
-    rung.count = end - at;
-    if (rung.count < kLeast) {
-      logic_.resize(rung.first_step);
+    const uint32_t step_count = static_cast<uint32_t>(logic_.size()) - first_step;
+    if (end < region.constants && decoded_[end].execute == Functions::StoreBit) {
+      flags |= Decoded::kHasCoil;
+      ++end;
+    }
+    if (end - at < kLeast) {
+      logic_.resize(first_step);
       ready_.push_back(decoded_[at]);
       ++at;
       continue;
@@ -297,8 +299,10 @@ void Simulator::FindRungs(DecodedRegion& region) {
     ready_.push_back({.execute = Functions::ExecuteRung,
                       .id = last.id,
                       .order = last.order,
-                      .a = static_cast<uint32_t>(rungs_.size())});
-    rungs_.push_back(rung);
+                      .a = at,
+                      .b = first_step,
+                      .c = step_count,
+                      .payload = flags});
     at = end;
   }
   region.ready_end = static_cast<uint32_t>(ready_.size());
