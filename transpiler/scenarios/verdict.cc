@@ -33,8 +33,10 @@ namespace {
 
 using Failure = std::optional<std::string>;
 
-/// Whether the compiled engines may be some periods behind the simulator.
-enum class Pace : uint8_t { kAhead, kTogether };
+/// The first run of a scenario is as fast as can be: the compiled engines may be some periods behind the simulator, and
+/// nobody notes who wrote what, which takes several times as long as the run. Where there is something to be told it is
+/// run once more, so that the message and the waveform end where the engines part, and say why.
+enum class Attempt : uint8_t { kFirst, kToTell };
 
 struct Engines {
   std::unique_ptr<engines::Lockstep> lockstep;
@@ -131,12 +133,12 @@ class Test {
   }
 
   /// The engines that were asked for, or why there are none.
-  std::variant<Engines, std::string> MakeEngines(const compilation::Compilation& compilation) {
+  std::variant<Engines, std::string> MakeEngines(const compilation::Compilation& compilation, Attempt attempt) {
     Engines made;
     std::vector<std::unique_ptr<sim::Engine>> engines;
     if (options_.simulator || NeedsSimulator(compilation.program)) {
       auto simulator = std::make_unique<sim::Simulator>(compilation.program);
-      if (options_.explains) {
+      if (options_.explains && attempt == Attempt::kToTell) {
         simulator->RecordLastWrites();
         made.writes = simulator->last_writes();
       }
@@ -170,18 +172,19 @@ class Test {
 
   Failure RunSteps(const compilation::Compilation& compilation, const ScenarioPlan& plan) {
     bool went_on = false;
-    const Failure failure = RunSteps(compilation, plan, Pace::kAhead, went_on);
-    if (!went_on) return failure;
+    Failure failure = RunSteps(compilation, plan, Attempt::kFirst, went_on);
+    const bool has_more_to_tell = failure && options_.explains;
+    if (!went_on && !has_more_to_tell) return failure;
     if (monitor_) monitor_->GoOn();
-    // Once more, so that the message and the waveform end where the engines part.
-    return RunSteps(compilation, plan, Pace::kTogether, went_on);
+    return RunSteps(compilation, plan, Attempt::kToTell, went_on);
   }
 
-  Failure RunSteps(const compilation::Compilation& compilation, const ScenarioPlan& plan, Pace pace, bool& went_on) {
-    auto made = MakeEngines(compilation);
+  Failure RunSteps(const compilation::Compilation& compilation, const ScenarioPlan& plan, Attempt attempt,
+                   bool& went_on) {
+    auto made = MakeEngines(compilation, attempt);
     if (const auto* why = std::get_if<std::string>(&made)) return scenario_.path + ": " + *why;
     Engines& engines = std::get<Engines>(made);
-    if (pace == Pace::kAhead) engines.lockstep->FollowLater();
+    if (attempt == Attempt::kFirst) engines.lockstep->FollowLater();
     result_.ran = std::to_string(plan.steps.size()) + (plan.steps.size() == 1 ? " step in " : " steps in ");
     for (const auto& engine : engines.lockstep->engines()) {
       result_.ran += (result_.ran.back() == ' ' ? "" : " and ") + std::string(engine->name());
