@@ -15,6 +15,8 @@
 #include <utility>
 #include <variant>
 
+#include "transpiler/support/check.h"
+
 namespace plcxx::debug_link {
 namespace {
 
@@ -259,7 +261,7 @@ OpenedTransport OpenTransport(std::string_view address) {
     case Wire::kSocket:
       return OpenSocket(wanted);
   }
-  return {};
+  PLCXX_UNREACHABLE();
 }
 
 }  // namespace plcxx::debug_link
