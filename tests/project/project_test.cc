@@ -262,6 +262,14 @@ TEST(Project, AnchorsNeitherLoopNorExplode) {
   EXPECT_THAT(folder.Errors(many), ElementsAre(HasSubstr("more than 1000 programs")));
 }
 
+TEST(Project, MoreValuesThanMemoryIsForAreRefusedBeforeTheyAreKept) {
+  const Folder folder;
+  const std::string commas(400'000, ',');
+  EXPECT_THAT(folder.Errors("sources: {" + commas + "}\n"),
+              ElementsAre(HasSubstr("more than 400000 values: divide the file")));
+  EXPECT_THAT(folder.Errors("sources: [" + commas + "]\n"), Contains(HasSubstr("more than 400000 values")));
+}
+
 TEST(Project, AHugePatternEnds) {
   const Folder folder;
   // Each '**' would walk through everything again.

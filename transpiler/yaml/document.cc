@@ -14,21 +14,41 @@
 namespace plcxx::yaml {
 namespace {
 
+/// Each takes some 800 bytes of memory, and a line of commas is as many as it is long.
+constexpr uint32_t kMostValues = 400'000;
+
+Place PlaceAt(const YAML::Mark& mark) {
+  return {static_cast<uint32_t>(mark.line + 1), static_cast<uint32_t>(mark.column + 1)};
+}
+
+/// Thrown through the parser, which cannot be told to stop.
+struct TooManyValues {
+  Place mark;
+};
+
 /// Where the documents of a stream begin. The parser gives documents without end for some texts, such as ",", as it
 /// does not move on at what begins none; so nobody asks it for more than two.
 struct Documents : YAML::EventHandler {
   std::optional<Place> first, second;
+  uint32_t values = 0;
 
-  void OnDocumentStart(const YAML::Mark& mark) override {
-    (first ? second : first) = {static_cast<uint32_t>(mark.line + 1), static_cast<uint32_t>(mark.column + 1)};
+  void Count(const YAML::Mark& mark) {
+    if (++values > kMostValues) throw TooManyValues{PlaceAt(mark)};
   }
+  void OnDocumentStart(const YAML::Mark& mark) override { (first ? second : first) = PlaceAt(mark); }
   void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { Count(mark); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { Count(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string&) override {
+    Count(mark);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    Count(mark);
+  }
   void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    Count(mark);
+  }
   void OnMapEnd() override {}
 };
 
@@ -99,6 +119,8 @@ std::variant<YAML::Node, Fault> Load(const std::string& text) {
     const Documents documents = FirstDocuments(text);
     if (documents.second) return Fault{*documents.second, WhyNotTwo(text, *documents.second)};
     return YAML::Load(text);
+  } catch (const TooManyValues& fault) {
+    return Fault{fault.mark, "more than " + std::to_string(kMostValues) + " values: divide the file"};
   } catch (const YAML::Exception& fault) {
     const bool placed = !fault.mark.is_null();
     const auto line = static_cast<uint32_t>(placed ? fault.mark.line + 1 : 0);
