@@ -12,8 +12,10 @@
 
 namespace plcxx::sim {
 
-/// Of which memory a bit is: values of instructions, fields of instances, or, from kSpaces on, a space.
+/// In which memory a bit is: values of instructions, fields of instances, or, from kSpaces on, a space.
 enum class BitBase : uint16_t { kValues, kInstances, kSpaces };
+/// The last space whose bits a step can name.
+inline constexpr uint32_t kLastSpaceOfRungs = 0xFFFF - static_cast<uint32_t>(BitBase::kSpaces);
 
 /// Where a bit stands.
 struct BitSource {

@@ -193,6 +193,7 @@ struct Simulator::Functions {
     };
     if (inst.type != ir::Type::kBit) return std::nullopt;
     if (decoded.execute == LoadBit) {
+      if (decoded.space() > kLastSpaceOfRungs) return std::nullopt;
       const auto base = static_cast<BitBase>(static_cast<uint32_t>(BitBase::kSpaces) + decoded.space());
       return of_one({.byte = decoded.byte(), .base = base, .bit = static_cast<uint8_t>(decoded.bit())}, kItself);
     }
