@@ -10,7 +10,6 @@
 #include <charconv>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -20,6 +19,7 @@
 
 #include "transpiler/driver/terminal.h"
 #include "transpiler/support/file_names.h"
+#include "transpiler/support/system_words.h"
 
 namespace plcxx::driver {
 namespace {
@@ -39,12 +39,6 @@ Written& Outputs() {
 std::string WholePath(const std::string& path) {
   std::error_code error;
   return fs::weakly_canonical(path, error).string();
-}
-
-std::string SystemWords(int error) {
-  std::string words = std::strerror(error);
-  if (!words.empty() && words[0] >= 'A' && words[0] <= 'Z') words[0] = static_cast<char>(words[0] - 'A' + 'a');
-  return words;
 }
 
 std::string RemedyOf(int error) {
@@ -71,7 +65,7 @@ std::string RemedyOf(int error) {
   }
 }
 
-WriteFailure Failed(const std::string& path, int error) { return {path, SystemWords(error), RemedyOf(error)}; }
+WriteFailure Failed(const std::string& path, int error) { return {path, support::SystemWords(error), RemedyOf(error)}; }
 WriteFailure IsADirectory(const std::string& path) {
   return {path, "it is a directory", "choose another name for the file, or move the directory away"};
 }

@@ -8,14 +8,13 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <cctype>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <utility>
 #include <variant>
 
 #include "transpiler/support/check.h"
+#include "transpiler/support/system_words.h"
 
 namespace plcxx::debug_link {
 namespace {
@@ -184,9 +183,7 @@ std::string Remedy(int error) {
 
 OpenedTransport Failed(const std::string& what) {
   const int error = errno;
-  std::string words = std::strerror(error);
-  if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
-  return {.transport = nullptr, .reason = what + ": " + words + Remedy(error)};
+  return {.transport = nullptr, .reason = what + ": " + support::SystemWords(error) + Remedy(error)};
 }
 
 OpenedTransport OpenTcp(const Address& wanted) {

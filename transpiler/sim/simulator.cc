@@ -17,6 +17,7 @@ Simulator::Simulator(const ir::Program& program)
     if (inst.op == ir::OpKind::kConst) values_[i] = ir::ConstantValue(inst);
   }
   Decode();
+  FindBases();
 }
 
 void Simulator::PowerOn() {
@@ -30,7 +31,6 @@ void Simulator::PowerOn() {
   instances_.Clear();
   now_ms_ = 0;
   whole_ms_ = 0;
-  FindBases();
   Run(program_.schedule.init);
 }
 
@@ -130,6 +130,7 @@ std::vector<uint8_t> Simulator::Snapshot() {
 void Simulator::Restore(const Saved& saved) {
   spaces_ = saved.spaces;
   instances_ = saved.instances;
+  FindBases();
   stored_ = saved.stored;
   events_.clear();
   stopped_ = false;

@@ -27,7 +27,6 @@ void Simulator::Run(ir::RoutineId id) {
 
 void Simulator::RunPartition(ir::RoutineId routine) {
   if (!routine.valid()) return;
-  FindBases();
   BeginLocals(locals_[routine.index]);
   Run(routine);
 }

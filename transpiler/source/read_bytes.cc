@@ -5,29 +5,21 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 
 #include "transpiler/source/near_file.h"
 #include "transpiler/source/unsaved.h"
+#include "transpiler/support/system_words.h"
 
 namespace plcxx::source {
 namespace {
 
 constexpr size_t kPiece = 64u << 10;
 
-/// The system's words as our messages are written: lower case at the beginning, no full stop.
-std::string SystemWords(int error) {
-  std::string words = std::strerror(error);
-  if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
-  return words;
-}
-
 LoadError FromErrno(int error) {
   if (error == ENOENT || error == ENOTDIR) return {LoadProblem::kMissing, "no such file"};
-  return {LoadProblem::kUnreadable, SystemWords(error)};
+  return {LoadProblem::kUnreadable, support::SystemWords(error)};
 }
 
 /// Reads to the end; one byte above the limit is enough to know that it is exceeded.
