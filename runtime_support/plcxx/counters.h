@@ -3,6 +3,7 @@
 // Implements NC110 7.2 to the letter, one Count function per choice of --carry (D9). All zero is the state after
 // power-on. CnnA = v and CnnW = v are plain assignments to `down` and `count`.
 // Not its job: to report a modulus out of range; the result says it, the caller tells the host.
+// Why its functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>
@@ -52,7 +53,8 @@ constexpr bool CountEdge(RingCounter& counter, uint16_t modulus) noexcept {
 
 /// The input statement in the slow part, carry=scan: the carry lasts until the statement's next execution.
 /// False: an edge came with a modulus outside 2..255 and was not counted.
-constexpr bool CountSlow(RingCounter& counter, bool input, uint16_t modulus, uint32_t slow_cycle) noexcept {
+[[gnu::noinline]] static constexpr bool CountSlow(RingCounter& counter, bool input, uint16_t modulus,
+                                                  uint32_t slow_cycle) noexcept {
   counter.carry = false;
   if (!TakeCountInput(counter, input)) return true;
   const bool counted = CountEdge(counter, modulus);
@@ -64,7 +66,8 @@ constexpr bool CountSlow(RingCounter& counter, bool input, uint16_t modulus, uin
 }
 
 /// The input statement in the fast part, carry=scan; `fast_count` numbers the executions of the fast part.
-constexpr bool CountFast(RingCounter& counter, bool input, uint16_t modulus, uint32_t fast_count) noexcept {
+[[gnu::noinline]] static constexpr bool CountFast(RingCounter& counter, bool input, uint16_t modulus,
+                                                  uint32_t fast_count) noexcept {
   counter.carry = false;
   if (!TakeCountInput(counter, input)) return true;
   const bool counted = CountEdge(counter, modulus);
@@ -76,20 +79,22 @@ constexpr bool CountFast(RingCounter& counter, bool input, uint16_t modulus, uin
 }
 
 /// The input statement in either part, carry=input: the carry stays while the input stays 1.
-constexpr bool CountCarryWhileInput(RingCounter& counter, bool input, uint16_t modulus) noexcept {
+[[gnu::noinline]] static constexpr bool CountCarryWhileInput(RingCounter& counter, bool input,
+                                                             uint16_t modulus) noexcept {
   if (!input) counter.carry = false;
   return !TakeCountInput(counter, input) || CountEdge(counter, modulus);
 }
 
 /// The input statement in either part, carry=next: the carry stays until the next edge, also one that is not counted.
-constexpr bool CountCarryUntilNext(RingCounter& counter, bool input, uint16_t modulus) noexcept {
+[[gnu::noinline]] static constexpr bool CountCarryUntilNext(RingCounter& counter, bool input,
+                                                            uint16_t modulus) noexcept {
   if (!TakeCountInput(counter, input)) return true;
   counter.carry = false;
   return CountEdge(counter, modulus);
 }
 
 /// CnnZ = z. Clears on the rising edge only: a count assigned while z stays 1 is kept (D10).
-constexpr void ResetCounter(RingCounter& counter, bool z) noexcept {
+[[gnu::noinline]] static constexpr void ResetCounter(RingCounter& counter, bool z) noexcept {
   if (z && !counter.reset) {
     counter.count = 0;
     counter.carry = false;
@@ -101,12 +106,12 @@ constexpr void ResetCounter(RingCounter& counter, bool z) noexcept {
 
 /// End of a slow cycle, carry=scan: a carry not set in the fast part ends when its statement was not executed in this
 /// cycle. Any other stamp is an older one, so the numbers may wrap.
-constexpr void ExpireSlow(RingCounter& counter, uint32_t slow_cycle) noexcept {
+[[gnu::noinline]] static constexpr void ExpireSlow(RingCounter& counter, uint32_t slow_cycle) noexcept {
   if (counter.part != kCarryOfFastPart && counter.stamp != slow_cycle) counter.carry = false;
 }
 
 /// End of an execution of the fast part, carry=scan: the same for a carry not set in the slow part.
-constexpr void ExpireFast(RingCounter& counter, uint32_t fast_count) noexcept {
+[[gnu::noinline]] static constexpr void ExpireFast(RingCounter& counter, uint32_t fast_count) noexcept {
   if (counter.part != kCarryOfSlowPart && counter.stamp != fast_count) counter.carry = false;
 }
 

@@ -5,6 +5,7 @@
 // One one-shot driven in both parts (W350): pulse and previous input are shared, each statement follows the rule of its
 // own part, and each part keeps its own count: a fast statement leaves a running pulse alone while its target is ahead,
 // whoever started the pulse.
+// Why its functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>
@@ -25,7 +26,7 @@ constexpr bool ReachedSlowCycle(uint32_t slow_done, uint32_t target) noexcept {
 }
 
 /// The statement in the slow part: the pulse lasts until the same statement in the next slow cycle.
-constexpr void PulseSlow(OneShot& shot, bool input, uint32_t slow_cycle) noexcept {
+[[gnu::noinline]] static constexpr void PulseSlow(OneShot& shot, bool input, uint32_t slow_cycle) noexcept {
   shot.pulse = input && !shot.previous;
   shot.previous = input;
   if (shot.pulse) {
@@ -37,7 +38,8 @@ constexpr void PulseSlow(OneShot& shot, bool input, uint32_t slow_cycle) noexcep
 /// The statement in the fast part: the pulse lasts until a complete slow cycle has been executed after its start, so
 /// that the slow part sees it everywhere. `slice` is the slice that the slow part executes next; not 0: a slow cycle is
 /// half done and does not count as a complete one.
-constexpr void PulseFast(OneShot& shot, bool input, uint32_t slow_done, uint8_t slice) noexcept {
+[[gnu::noinline]] static constexpr void PulseFast(OneShot& shot, bool input, uint32_t slow_done,
+                                                  uint8_t slice) noexcept {
   const bool reached = ReachedSlowCycle(slow_done, shot.target);
   if (reached) shot.target = slow_done;  // kept near, so that a wrap of the count never makes an old one look new
   if (reached || !shot.pulse) {
@@ -51,12 +53,12 @@ constexpr void PulseFast(OneShot& shot, bool input, uint32_t slow_done, uint8_t 
 }
 
 /// End of a slow cycle: a pulse started in the slow part ends when its statement was not executed in this cycle.
-constexpr void ExpireSlow(OneShot& shot, uint32_t slow_cycle) noexcept {
+[[gnu::noinline]] static constexpr void ExpireSlow(OneShot& shot, uint32_t slow_cycle) noexcept {
   if (!shot.fast && shot.stamp != slow_cycle) shot.pulse = false;
 }
 
 /// End of an execution of the fast part: a pulse started there ends when its slow cycles are done.
-constexpr void ExpireFast(OneShot& shot, uint32_t slow_done) noexcept {
+[[gnu::noinline]] static constexpr void ExpireFast(OneShot& shot, uint32_t slow_done) noexcept {
   if (shot.fast && ReachedSlowCycle(slow_done, shot.target)) shot.pulse = false;
 }
 

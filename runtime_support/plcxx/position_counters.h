@@ -2,6 +2,7 @@
 //
 // Implements HOST50 7.3 to the letter. Counts are two's complement. All zero is the state after power-on: the first
 // execution loads the start value and does not count.
+// Why its functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>
@@ -45,10 +46,12 @@ constexpr bool StepPositionCounter(PositionCounter& counter, bool input, uint32_
   return counter.output;
 }
 
-constexpr bool CNUD(PositionCounter& counter, bool input, uint32_t preset, uint8_t pins) noexcept {
+[[gnu::noinline]] static constexpr bool CNUD(PositionCounter& counter, bool input, uint32_t preset,
+                                             uint8_t pins) noexcept {
   return StepPositionCounter(counter, input, preset, pins, false);
 }
-constexpr bool CNUDHold(PositionCounter& counter, bool input, uint32_t preset, uint8_t pins) noexcept {
+[[gnu::noinline]] static constexpr bool CNUDHold(PositionCounter& counter, bool input, uint32_t preset,
+                                                 uint8_t pins) noexcept {
   return StepPositionCounter(counter, input, preset, pins, true);
 }
 

@@ -3,6 +3,7 @@
 // Implements NC110 7.5: at the start of every slow cycle each literal's flag is updated, then the inbox is cleared. All
 // zero is the state after power-on. Comparison is exact, byte by byte, in the encoding of the control.
 // Not its job: to queue texts (the latest wins), nor to make SendText safe against an interrupted scan (the host's).
+// Why its functions are called and not copied: timers.h.
 #pragma once
 
 #include <stddef.h>
@@ -45,7 +46,8 @@ constexpr bool EqualsText(const TextInbox& inbox, const char* literal) noexcept 
 }
 
 /// Start of a slow cycle, for one literal: its flag is 1 for two slow cycles after its text has arrived.
-constexpr void UpdateText(TextFlag& flag, const TextInbox& inbox, const char* literal) noexcept {
+[[gnu::noinline]] static constexpr void UpdateText(TextFlag& flag, const TextInbox& inbox,
+                                                   const char* literal) noexcept {
   if (inbox.pending) {
     flag.left = EqualsText(inbox, literal) ? 2 : 0;
   } else if (flag.left > 0) {

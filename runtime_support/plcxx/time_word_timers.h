@@ -3,6 +3,7 @@
 // Implements PROSTEP 7.1 to the letter. Time passes by PassTime, which the schedule calls for every timer at the start
 // of a tick; the start instructions stand in the program. All zero is the state after power-on.
 // Not its job: when time passes.
+// Why its functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>
@@ -49,7 +50,7 @@ constexpr void StopTimer(TimeWordTimer& timer) noexcept {
 }
 
 /// SP: on with a rising condition, off when the time is over or the condition falls.
-constexpr bool StartPulse(TimeWordTimer& timer, bool condition, uint16_t word) noexcept {
+[[gnu::noinline]] static constexpr bool StartPulse(TimeWordTimer& timer, bool condition, uint16_t word) noexcept {
   const bool rises = condition && !timer.edge;
   timer.edge = condition;
   timer.delays = false;
@@ -62,7 +63,7 @@ constexpr bool StartPulse(TimeWordTimer& timer, bool condition, uint16_t word) n
 }
 
 /// SE: on with a rising condition for the whole time; a new edge starts it again.
-constexpr bool StartExtended(TimeWordTimer& timer, bool condition, uint16_t word) noexcept {
+[[gnu::noinline]] static constexpr bool StartExtended(TimeWordTimer& timer, bool condition, uint16_t word) noexcept {
   const bool rises = condition && !timer.edge;
   timer.edge = condition;
   timer.delays = false;
@@ -71,7 +72,7 @@ constexpr bool StartExtended(TimeWordTimer& timer, bool condition, uint16_t word
 }
 
 /// SR: on when the condition has been 1 for the time.
-constexpr bool StartOnDelay(TimeWordTimer& timer, bool condition, uint16_t word) noexcept {
+[[gnu::noinline]] static constexpr bool StartOnDelay(TimeWordTimer& timer, bool condition, uint16_t word) noexcept {
   const bool rises = condition && !timer.edge;
   timer.edge = condition;
   timer.delays = true;
@@ -85,7 +86,8 @@ constexpr bool StartOnDelay(TimeWordTimer& timer, bool condition, uint16_t word)
 }
 
 /// SS: on when the time after an edge is over, whatever the condition does; off by ResetTimer only.
-constexpr bool StartLatchedDelay(TimeWordTimer& timer, bool condition, uint16_t word) noexcept {
+[[gnu::noinline]] static constexpr bool StartLatchedDelay(TimeWordTimer& timer, bool condition,
+                                                          uint16_t word) noexcept {
   const bool rises = condition && !timer.edge;
   timer.edge = condition;
   timer.delays = true;
@@ -97,7 +99,7 @@ constexpr bool StartLatchedDelay(TimeWordTimer& timer, bool condition, uint16_t 
 }
 
 /// SF: on with the condition, off when it has been 0 for the time.
-constexpr bool StartOffDelay(TimeWordTimer& timer, bool condition, uint16_t word) noexcept {
+[[gnu::noinline]] static constexpr bool StartOffDelay(TimeWordTimer& timer, bool condition, uint16_t word) noexcept {
   const bool rises = condition && !timer.edge;
   const bool falls = !condition && timer.edge;
   timer.edge = condition;
@@ -113,12 +115,12 @@ constexpr bool StartOffDelay(TimeWordTimer& timer, bool condition, uint16_t word
 }
 
 /// R T: off; edge and scale keep their values, so that the timer stays off until a new edge.
-constexpr void ResetTimer(TimeWordTimer& timer, bool condition) noexcept {
+[[gnu::noinline]] static constexpr void ResetTimer(TimeWordTimer& timer, bool condition) noexcept {
   if (condition) StopTimer(timer);
 }
 
 /// `ms` have passed since the last call.
-constexpr void PassTime(TimeWordTimer& timer, uint32_t ms) noexcept {
+[[gnu::noinline]] static constexpr void PassTime(TimeWordTimer& timer, uint32_t ms) noexcept {
   if (!timer.running) return;
   if (ms < timer.left_ms) {
     timer.left_ms -= ms;
@@ -130,13 +132,13 @@ constexpr void PassTime(TimeWordTimer& timer, uint32_t ms) noexcept {
 }
 
 /// L T: the time left in units of the scale, rounded up.
-constexpr uint16_t TimeLeft(const TimeWordTimer& timer) noexcept {
+[[gnu::noinline]] static constexpr uint16_t TimeLeft(const TimeWordTimer& timer) noexcept {
   const uint32_t unit = MsPerUnit(timer.scale);
   return static_cast<uint16_t>((timer.left_ms + unit - 1) / unit);
 }
 
 /// LD T: the same as three BCD digits, with the scale of the last start in bits 13..12.
-constexpr uint16_t TimeLeftCoded(const TimeWordTimer& timer) noexcept {
+[[gnu::noinline]] static constexpr uint16_t TimeLeftCoded(const TimeWordTimer& timer) noexcept {
   return static_cast<uint16_t>((ToBcd16(TimeLeft(timer)) & 0x0FFF) | (timer.scale << 12));
 }
 

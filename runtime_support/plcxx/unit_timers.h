@@ -2,6 +2,7 @@
 //
 // Implements HOST50 7.2 to the letter. The functions carry the source's mnemonics: MS counts units of 100 ms, S of
 // 1 s, M of 60 s. All zero is the state after power-on. A timer that is not executed freezes.
+// Why its functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>
@@ -106,43 +107,55 @@ constexpr bool StepPulse(UnitTimer& timer, bool input, uint32_t preset, uint32_t
   return EndTimerStep(timer, input, preset, preset_ms, unit_ms);
 }
 
-constexpr bool TONMS(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool TONMS(UnitTimer& timer, bool input, uint32_t preset,
+                                              uint32_t period_ms) noexcept {
   return StepTon(timer, input, preset, period_ms, 100);
 }
-constexpr bool TONS(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool TONS(UnitTimer& timer, bool input, uint32_t preset,
+                                             uint32_t period_ms) noexcept {
   return StepTon(timer, input, preset, period_ms, 1000);
 }
-constexpr bool TONM(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool TONM(UnitTimer& timer, bool input, uint32_t preset,
+                                             uint32_t period_ms) noexcept {
   return StepTon(timer, input, preset, period_ms, 60000);
 }
 
-constexpr bool TOFMS(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool TOFMS(UnitTimer& timer, bool input, uint32_t preset,
+                                              uint32_t period_ms) noexcept {
   return StepTof(timer, input, preset, period_ms, 100);
 }
-constexpr bool TOFS(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool TOFS(UnitTimer& timer, bool input, uint32_t preset,
+                                             uint32_t period_ms) noexcept {
   return StepTof(timer, input, preset, period_ms, 1000);
 }
-constexpr bool TOFM(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool TOFM(UnitTimer& timer, bool input, uint32_t preset,
+                                             uint32_t period_ms) noexcept {
   return StepTof(timer, input, preset, period_ms, 60000);
 }
 
-constexpr bool TPMS(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool TPMS(UnitTimer& timer, bool input, uint32_t preset,
+                                             uint32_t period_ms) noexcept {
   return StepTp(timer, input, preset, period_ms, 100);
 }
-constexpr bool TPS(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool TPS(UnitTimer& timer, bool input, uint32_t preset,
+                                            uint32_t period_ms) noexcept {
   return StepTp(timer, input, preset, period_ms, 1000);
 }
-constexpr bool TPM(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool TPM(UnitTimer& timer, bool input, uint32_t preset,
+                                            uint32_t period_ms) noexcept {
   return StepTp(timer, input, preset, period_ms, 60000);
 }
 
-constexpr bool PulseMS(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool PulseMS(UnitTimer& timer, bool input, uint32_t preset,
+                                                uint32_t period_ms) noexcept {
   return StepPulse(timer, input, preset, period_ms, 100);
 }
-constexpr bool PulseS(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool PulseS(UnitTimer& timer, bool input, uint32_t preset,
+                                               uint32_t period_ms) noexcept {
   return StepPulse(timer, input, preset, period_ms, 1000);
 }
-constexpr bool PulseM(UnitTimer& timer, bool input, uint32_t preset, uint32_t period_ms) noexcept {
+[[gnu::noinline]] static constexpr bool PulseM(UnitTimer& timer, bool input, uint32_t preset,
+                                               uint32_t period_ms) noexcept {
   return StepPulse(timer, input, preset, period_ms, 60000);
 }
 

@@ -70,7 +70,18 @@ terms::TermId ObjectMemory::LoadAt(const Object& object, uint64_t offset, uint32
     }
     value = value.valid() ? terms_.Concat(byte, value) : byte;
   }
-  return value;
+  return object.kind == ObjectKind::kLocal && bytes > 1 ? AsStored(object, offset, value) : value;
+}
+
+/// The word that was stored there last, if these are its bytes: of a sum they are not put together to the sum again,
+/// and only a sum is an address with an offset.
+terms::TermId ObjectMemory::AsStored(const Object& object, uint64_t offset, terms::TermId loaded) {
+  const auto found = stored_words_.find(object.first_slot + static_cast<uint32_t>(offset));
+  if (found == stored_words_.end() || terms_.Width(found->second) != terms_.Width(loaded)) return loaded;
+  for (uint8_t low = 0; low < terms_.Width(loaded); low = static_cast<uint8_t>(low + 8)) {
+    if (terms_.Extract(found->second, low, 8).index != terms_.Extract(loaded, low, 8).index) return loaded;
+  }
+  return found->second;
 }
 
 terms::TermId ObjectMemory::LoadFrom(terms::TermId when, uint32_t number, terms::TermId offset, uint32_t bytes) {
@@ -115,6 +126,8 @@ terms::TermId ObjectMemory::Load(const std::vector<Target>& targets, uint64_t at
 }
 
 void ObjectMemory::StoreAt(terms::TermId when, const Object& object, uint64_t offset, terms::TermId value) {
+  if (object.kind == ObjectKind::kLocal && terms_.Width(value) > 8)
+    stored_words_[object.first_slot + static_cast<uint32_t>(offset)] = value;
   for (uint32_t i = 0; i < terms_.Width(value) / 8U; ++i) {
     const uint32_t slot = object.first_slot + static_cast<uint32_t>(offset) + i;
     const terms::TermId byte = terms_.Extract(value, static_cast<uint8_t>(8 * i), 8);

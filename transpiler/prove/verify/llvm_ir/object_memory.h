@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "transpiler/prove/verify/llvm_ir/execution.h"
@@ -35,10 +36,12 @@ class ObjectMemory : private ExecutionPart {
   terms::TermId LoadAt(const Object& object, uint64_t offset, uint32_t bytes);
   void StoreTo(terms::TermId when, uint32_t object, terms::TermId offset, terms::TermId value);
   void StoreAt(terms::TermId when, const Object& object, uint64_t offset, terms::TermId value);
+  terms::TermId AsStored(const Object& object, uint64_t offset, terms::TermId loaded);
   Reach ReachOf(const Object& object, terms::TermId offset, uint32_t bytes);
   terms::TermId IsBeyond(const Reach& reach, terms::TermId offset);
 
-  std::vector<terms::TermId> initial_;  // by slot
+  std::vector<terms::TermId> initial_;                        // by slot
+  std::unordered_map<uint32_t, terms::TermId> stored_words_;  // in locals, by first slot: whatever was stored last
 };
 
 }  // namespace plcxx::prove::verify::llvm_ir
