@@ -21,6 +21,7 @@
 #include "transpiler/fleet/fleet.h"
 #include "transpiler/ir/zones.h"
 #include "transpiler/project/project.h"
+#include "transpiler/sim/place_access.h"
 #include "transpiler/sim/simulator.h"
 
 namespace {
@@ -77,6 +78,18 @@ Simulated MeasureSimulator(const ir::Program& program, const std::vector<bench::
   return best;
 }
 
+/// By space: bytes that an index may reach are tables and buffers, not what a control changes from period to period.
+std::vector<std::vector<bool>> IndexedBytes(const ir::Program& program) {
+  std::vector<std::vector<bool>> indexed;
+  for (const ir::Space& space : program.spaces) indexed.emplace_back(space.bytes, false);
+  for (const ir::Place& place : program.places) {
+    const sim::PlaceAccess access = sim::AccessTo(program, place);
+    if (!access.indexed || access.kind == sim::AccessKind::kAbsent) continue;
+    for (uint32_t at = access.low; at < access.high; ++at) indexed[access.owner][at] = true;
+  }
+  return indexed;
+}
+
 int Measure(unsigned lanes, uint32_t periods, std::span<char* const> sources) {
   const std::optional<compilation::CompilationRequest> request = RequestOf(sources);
   if (!request) {
@@ -104,10 +117,12 @@ int Measure(unsigned lanes, uint32_t periods, std::span<char* const> sources) {
   // the same periods in which the generated code alone is given new inputs.
   std::vector<std::span<uint64_t>> inputs;
   std::vector<bench::BitPlace> seen_bits, input_bits;
+  const std::vector<std::vector<bool>> indexed = IndexedBytes(compiled.program);
   for (uint32_t s = 0; s < compiled.program.spaces.size(); ++s) {
     const ir::Space& space = compiled.program.spaces[ir::SpaceId(s)];
     if (!space.host_visible) continue;
     for (uint32_t offset = 0; offset < space.bytes; ++offset) {
+      if (indexed[s][offset]) continue;
       const uint8_t changes = ir::BitsInZones(space, offset, ir::Direction::kInput);
       for (uint8_t bit = 0; bit < 8; ++bit) {
         const std::span<uint64_t> words = fleet.PlaneOf(ir::SpaceId(s), offset, bit);

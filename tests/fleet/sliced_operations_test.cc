@@ -19,9 +19,21 @@ struct Form {
 constexpr Form kForms[] = {
 #define PLCXX_SLICED(Kind, function) {ir::OpKind::k##Kind, -1},
 #define PLCXX_SLICED_BY(Kind, operand, function) {ir::OpKind::k##Kind, operand},
+#define PLCXX_SLICED_CLOCK(Kind, function)
 #include "transpiler/fleet/sliced_operations.def"
 #undef PLCXX_SLICED
 #undef PLCXX_SLICED_BY
+#undef PLCXX_SLICED_CLOCK
+};
+
+constexpr ir::OpKind kStepsByClock[] = {
+#define PLCXX_SLICED(...)
+#define PLCXX_SLICED_BY(...)
+#define PLCXX_SLICED_CLOCK(Kind, function) ir::OpKind::k##Kind,
+#include "transpiler/fleet/sliced_operations.def"
+#undef PLCXX_SLICED
+#undef PLCXX_SLICED_BY
+#undef PLCXX_SLICED_CLOCK
 };
 
 constexpr uint64_t kConstants[] = {0, 1, 7, 9, 10, 0x3010, 0x2345, 1000, 60000, 0xFFFFFFFF};
@@ -64,6 +76,20 @@ class Text {
     body_ += "step.reset_timer " + timer + " " + Value("and.bit " + z + " " + Value("load bit0")) + "\n";
     body_ += "step.pass_time " + timer + " " + Value("const i32 12") + "\n";
     body_ += "step.pass_time " + timer + " " + Value("zext.i8.i32 " + Value("load i80")) + "\n";
+  }
+  /// A timer that counts a period of the section.
+  void AddUnitTimer(ir::OpKind op, const std::string& preset, uint32_t period_ms) {
+    const ir::OpInfo& info = ir::Info(op);
+    const std::string timer = "S" + std::to_string(instances_++);
+    declarations_ += "state " + timer + " unit_timer\n";
+    for (const char* field : {"bit output", "i32 preset", "i32 value"}) {  // what the control may write
+      const std::string text(field), name = text.substr(text.find(' ') + 1);
+      declarations_ +=
+          "place " + timer + "_" + name + " " + text.substr(0, text.find(' ')) + " field " + timer + " " + name + "\n";
+    }
+    Store(ir::Type::kBit, Value(std::string(info.text) + " " + timer + " " + Value("load " + NextInput()) + " " +
+                                Value(preset) + " " + Value("const i32 " + std::to_string(period_ms))));
+    Store(ir::Type::kBit, Value("load " + timer + "_output"));
   }
   void AddCounter() {
     const std::string counter = "S" + std::to_string(instances_++);
@@ -127,6 +153,12 @@ std::string AllOperations() {
     for (const char* word : {"load i161", "const i16 5", "const i16 4099", "const i16 0"}) text.AddTimer(start, word);
   }
   for (int i = 0; i < 3; ++i) text.AddCounter();
+  for (const ir::OpKind op : kStepsByClock) {
+    if (ir::Info(op).state != ir::StateKind::kUnitTimer) continue;
+    for (const char* preset : {"const i32 0", "const i32 1", "const i32 3", "const i32 4294967295", "load i321"}) {
+      for (const uint32_t period_ms : {40u, 25'000u}) text.AddUnitTimer(op, preset, period_ms);
+    }
+  }
   return text.ToString();
 }
 

@@ -160,7 +160,7 @@ void RoutineWriter::WriteRepeat(const ir::Inst& inst) {
           (ir::ValueId(inst.a).valid() ? "Within(" + Mask() + ", " + ValueName(ir::ValueId(inst.a)) + ")"
                                        : "ToPlane(" + Mask() + ")") +
           ";\n";
-  out_ += "const auto " + left + " = Held<32>(" + places_.Load(budget, ir::ValueId()) + ");\n";
+  out_ += "const auto " + left + " = Held<32>(" + places_.Load(budget) + ");\n";
   out_ += "const Plane " + go + " = " + lanes + " & ~IsZero<32>(" + left + ");\n";
   out_ += places_.Store(budget, ir::ValueId(), "Sub<32>(" + left + ", Fixed<uint32_t, 1>{})", go) + "\n";
   out_ += repeats_of_.at(target.index) + " |= " + go + ";\n";
@@ -184,14 +184,6 @@ std::vector<std::pair<uint32_t, uint32_t>> RoutineWriter::PlanesOf(const std::se
   return ranges;
 }
 
-std::vector<uint32_t> RoutineWriter::RowsOfLocals(const std::set<LocalByte>& bytes) const {
-  std::vector<uint32_t> rows;
-  for (const auto& [space, offset] : bytes) {
-    if (const ByteHome& home = layout_.At(space, offset); home.is_row()) rows.push_back(home.row);
-  }
-  return rows;
-}
-
 std::vector<uint32_t> RoutineWriter::ScalarsOf(const std::set<LocalByte>& bytes) const {
   std::vector<uint32_t> scalars;
   for (const auto& [space, offset] : bytes) {
@@ -204,8 +196,6 @@ std::string RoutineWriter::ClearLocals(ir::RoutineId callee, const std::string& 
   std::string out;
   for (const auto& [first, count] : PlanesOf(locals_.UsedFrom(callee)))
     out += "ClearPlanes(m, " + std::to_string(first) + ", " + std::to_string(count) + ", " + mask + ");\n";
-  for (const uint32_t row : RowsOfLocals(locals_.UsedFrom(callee)))
-    out += "ClearRow(m, " + std::to_string(row) + ", " + mask + ");\n";
   for (const uint32_t at : ScalarsOf(locals_.UsedFrom(callee))) out += "m.scalars[" + std::to_string(at) + "] = 0;\n";
   return out;
 }
@@ -216,7 +206,7 @@ void RoutineWriter::WriteCall(ir::InstId id, const ir::Inst& inst) {
   const bool is_partition = routine.kind != ir::RoutineKind::kSubroutine;
   const ir::PlaceId result = routine.result_place;
   if (result.valid()) {
-    out_ += "Value<decltype(" + places_.Load(result, ir::ValueId()) + ")> " + ValueName(id) + "{};\n";
+    out_ += "Value<decltype(" + places_.Load(result) + ")> " + ValueName(id) + "{};\n";
   }
   out_ += "if (Any(" + Mask() + ")) {\n";
   std::string restore;
@@ -228,11 +218,6 @@ void RoutineWriter::WriteCall(ir::InstId id, const ir::Inst& inst) {
       out_ += "Plane " + name + "[" + std::to_string(count) + "]; KeepPlanes" + range;
       restore += "PutBackPlanes" + range;
     }
-    for (const uint32_t row : RowsOfLocals(kept)) {
-      const std::string name = NewName("k"), at = "m.rows[" + std::to_string(row) + "]";
-      out_ += "uint8_t " + name + "[kLanes]; __builtin_memcpy(" + name + ", " + at + ", kLanes);\n";
-      restore += "__builtin_memcpy(" + at + ", " + name + ", kLanes);\n";
-    }
     for (const uint32_t scalar : ScalarsOf(kept)) {
       const std::string name = NewName("k"), at = "m.scalars[" + std::to_string(scalar) + "]";
       out_ += "const uint8_t " + name + " = " + at + ";\n";
@@ -242,8 +227,11 @@ void RoutineWriter::WriteCall(ir::InstId id, const ir::Inst& inst) {
   }
   for (size_t i = 0; i < call.arguments.size() && i < routine.parameter_places.size(); ++i)
     StoreInto(routine.parameter_places[i], call.arguments[i]);
-  out_ += "Run(" + Mask() + ", [&](const auto& lanes) { R" + std::to_string(call.routine.index) + "(m, lanes); });\n";
-  if (result.valid()) out_ += ValueName(id) + " = " + places_.Load(result, ir::ValueId()) + ";\n";
+  // The parts of the program are mostly executed by all lanes, and have code for that; of others it would be too much.
+  const std::string name = "R" + std::to_string(call.routine.index);
+  out_ += is_partition ? "Run(" + Mask() + ", [&](const auto& lanes) { " + name + "(m, lanes); });\n"
+                       : name + "(m, " + Mask() + ");\n";
+  if (result.valid()) out_ += ValueName(id) + " = " + places_.Load(result) + ";\n";
   out_ += restore + "}\n";
 }
 
@@ -261,7 +249,11 @@ void RoutineWriter::WriteHostCall(ir::InstId id, const ir::Inst& inst) {
     const bool is_bit = function.result == ir::Type::kBit;
     out_ += (is_bit ? "Plane " : "Bits<" + WidthText(function.result) + "> ") + ValueName(id) + "_bits{};\n";
   }
-  out_ += "if (Any(" + Mask() + ")) {\nHostCall<" + std::to_string(call.arguments.size()) + "> " + frame + ";\n";
+  const char* const answers = gives              ? (call.out.valid() ? "kBoth" : "kResult")
+                              : call.out.valid() ? "kSecond"
+                                                 : "kNothing";
+  out_ += "if (Any(" + Mask() + ")) {\nHostCall<" + std::to_string(call.arguments.size()) + ", Gives::" + answers +
+          "> " + frame + ";\n";
   for (size_t i = 0; i < call.arguments.size(); ++i) {
     const std::string type(ir::CppName(program_[call.arguments[i]].type));
     out_ += frame + ".template Argument<" + type + ">(" + std::to_string(i) + ", " +

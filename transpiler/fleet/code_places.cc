@@ -39,23 +39,7 @@ std::string PlaceWriter::StoreScalar(ir::PlaceId place, const std::string& value
 bool PlaceWriter::IsPerLane(ir::PlaceId place) const {
   const sim::PlaceAccess access = sim::AccessTo(program_, program_.places[place]);
   if (access.kind == sim::AccessKind::kAbsent || access.kind == sim::AccessKind::kField) return false;
-  return access.indexed || layout_.At(access.owner, access.offset).is_row();
-}
-
-bool PlaceWriter::IsRows(const sim::PlaceAccess& access) const {
-  for (uint32_t i = 0; i < access.bytes; ++i) {
-    if (!layout_.At(access.owner, access.offset + i).is_row()) return false;
-  }
-  return true;
-}
-
-std::string PlaceWriter::RowNumbers(const sim::PlaceAccess& access) const {
-  std::string text;
-  for (uint32_t i = 0; i < access.bytes; ++i) {
-    const uint32_t at = access.offset + (access.big_endian ? access.bytes - 1 - i : i);
-    text += ", " + std::to_string(layout_.At(access.owner, at).row);
-  }
-  return text;
+  return access.indexed;
 }
 
 std::string PlaceWriter::Bytes(const sim::PlaceAccess& access) const {
@@ -63,16 +47,16 @@ std::string PlaceWriter::Bytes(const sim::PlaceAccess& access) const {
   for (uint32_t i = 0; i < access.bytes; ++i) {
     const ByteHome& home = layout_.At(access.owner, access.offset + (access.big_endian ? access.bytes - 1 - i : i));
     if (i > 0) text += ", ";
-    text += home.is_row() ? "Row<" + std::to_string(home.row) + ">" : "Planes<" + std::to_string(home.planes[0]) + ">";
+    text += "Planes<" + std::to_string(home.planes[0]) + ">";
   }
   return text;
 }
 
 std::string PlaceWriter::Element(const sim::PlaceAccess& access) const {
   const bool empty = access.low >= access.high;
-  const uint32_t row = empty ? 0 : layout_.At(access.owner, access.low).row;
+  const uint32_t first = empty ? 0 : layout_.At(access.owner, access.low).planes[0];
   return "Element{" + Number(access.offset) + ", " + Number(access.stride) + ", " + Number(access.low) + ", " +
-         Number(access.high) + ", " + Number(row) + ", " + (access.big_endian ? "true" : "false") + "}";
+         Number(access.high) + ", " + Number(first) + ", " + (access.big_endian ? "true" : "false") + "}";
 }
 
 std::string PlaceWriter::LoadFixed(const sim::PlaceAccess& access, ir::Type type) const {
@@ -89,26 +73,22 @@ std::string PlaceWriter::LoadFixed(const sim::PlaceAccess& access, ir::Type type
     return "LoadScalar<" + std::string(RawName(type)) + ", " + (access.big_endian ? "true" : "false") + ">(m, " + at +
            ")";
   }
-  if (type != ir::Type::kBit && IsRows(access))
-    return "LoadRows<" + std::string(RawName(type)) + RowNumbers(access) + ">(m)";
   if (type != ir::Type::kBit) return "LoadBytes<" + Bytes(access) + ">(m)";
-  const ByteHome& home = layout_.At(access.owner, access.offset);
-  if (!home.is_row()) return "Plane(m.planes[" + std::to_string(home.planes[access.bit]) + "])";
-  return "LoadRowBit(m, " + std::to_string(home.row) + ", " + std::to_string(access.bit) + ")";
+  return "Plane(m.planes[" + std::to_string(layout_.At(access.owner, access.offset).planes[access.bit]) + "])";
 }
 
-std::string PlaceWriter::Load(ir::PlaceId place, ir::ValueId index) const {
+std::string PlaceWriter::Load(ir::PlaceId place, ir::ValueId index, const std::string& mask) const {
   const ir::Place& loaded = program_.places[place];
   const sim::PlaceAccess access = sim::AccessTo(program_, loaded);
   std::string text;
   if (!access.indexed || access.kind == sim::AccessKind::kAbsent) {
     text = LoadFixed(access, loaded.type);
   } else if (loaded.type == ir::Type::kBit) {
-    return "LoadElementBit(m, " + Element(access) + ", " + std::to_string(access.bit) + ", " + RowsOf(program_, index) +
-           ")";
+    return "LoadElementBit(m, " + Element(access) + ", " + std::to_string(access.bit) + ", AsUniform(" +
+           ValueName(index) + "), " + mask + ")";
   } else {
-    text = "LoadElement<" + std::string(RawName(loaded.type)) + ">(m, " + Element(access) + ", " +
-           RowsOf(program_, index) + ")";
+    text = "LoadElement<" + WidthText(loaded.type) + ">(m, " + Element(access) + ", AsUniform(" + ValueName(index) +
+           "), " + mask + ")";
   }
   return IsFloat(loaded.type) ? "AsFloat<" + std::string(ir::CppName(loaded.type)) + ">(" + text + ")" : text;
 }
@@ -120,12 +100,10 @@ std::string PlaceWriter::Store(ir::PlaceId place, ir::ValueId index, const std::
   const std::string end = value + ", " + mask + ");";
   if (access.kind == sim::AccessKind::kAbsent) return "static_cast<void>(" + value + ");";
   if (access.indexed) {
-    const std::string start = Element(access) + ", ";
+    const std::string start = Element(access) + ", ", at = "AsUniform(" + ValueName(index) + "), ";
     if (stored.type == ir::Type::kBit)
-      return "StoreElementBit(m, " + start + std::to_string(access.bit) + ", " + RowsOf(program_, index) + ", " + end;
-    const std::string raw(RawName(stored.type));
-    return "StoreElement<" + raw + ">(m, " + start + RowsOf(program_, index) + ", RawRows<" + raw + ">(" + value +
-           "), " + mask + ");";
+      return "StoreElementBit(m, " + start + std::to_string(access.bit) + ", " + at + end;
+    return "StoreElement<" + WidthText(stored.type) + ">(m, " + start + at + end;
   }
   if (access.kind == sim::AccessKind::kField) {
     const std::string first = std::to_string(layout_.fields[access.owner][access.field]);
@@ -133,14 +111,8 @@ std::string PlaceWriter::Store(ir::PlaceId place, ir::ValueId index, const std::
                                           : "PutField<" + WidthText(stored.type) + ">(m, " + first) +
            ", " + end;
   }
-  if (stored.type != ir::Type::kBit && IsRows(access)) {
-    const std::string raw(RawName(stored.type));
-    return "StoreRows<" + raw + RowNumbers(access) + ">(m, RawRows<" + raw + ">(" + value + "), " + mask + ");";
-  }
   if (stored.type != ir::Type::kBit) return "StoreBytes<" + Bytes(access) + ">(m, " + end;
-  const ByteHome& home = layout_.At(access.owner, access.offset);
-  if (!home.is_row()) return "PutPlane(m, " + std::to_string(home.planes[access.bit]) + ", " + end;
-  return "StoreRowBit(m, " + std::to_string(home.row) + ", " + std::to_string(access.bit) + ", " + end;
+  return "PutPlane(m, " + std::to_string(layout_.At(access.owner, access.offset).planes[access.bit]) + ", " + end;
 }
 
 }  // namespace plcxx::fleet

@@ -12,18 +12,23 @@ namespace {
 /// Instructions of one function of the generated code; a statement is never cut.
 constexpr size_t kMostInstructions = 400;
 
+enum class Needs : uint8_t { kNothing, kConstant, kClock };
+
 struct SlicedForm {
   ir::OpKind op;
-  int constant;  // the operand that has to be one; -1: none
+  Needs needs;
+  int constant;  // the operand that has to be one
   const char* function;
 };
 
 constexpr SlicedForm kSlicedForms[] = {
-#define PLCXX_SLICED(Kind, function) {ir::OpKind::k##Kind, -1, function},
-#define PLCXX_SLICED_BY(Kind, operand, function) {ir::OpKind::k##Kind, operand, function},
+#define PLCXX_SLICED(Kind, function) {ir::OpKind::k##Kind, Needs::kNothing, -1, function},
+#define PLCXX_SLICED_BY(Kind, operand, function) {ir::OpKind::k##Kind, Needs::kConstant, operand, function},
+#define PLCXX_SLICED_CLOCK(Kind, function) {ir::OpKind::k##Kind, Needs::kClock, -1, function},
 #include "transpiler/fleet/sliced_operations.def"
 #undef PLCXX_SLICED
 #undef PLCXX_SLICED_BY
+#undef PLCXX_SLICED_CLOCK
 };
 
 uint32_t Operand(const ir::Inst& inst, int i) { return i == 0 ? inst.a : i == 1 ? inst.b : inst.c; }
@@ -33,10 +38,20 @@ bool IsConstant(const ir::Program& program, uint32_t value) {
 }
 
 /// Null: it is executed lane by lane.
-const SlicedForm* FindForm(const ir::Program& program, const ir::Inst& inst) {
-  const auto* const form = std::ranges::find_if(kSlicedForms, [&](const SlicedForm& one) {
-    return one.op == inst.op && (one.constant < 0 || IsConstant(program, Operand(inst, one.constant)));
-  });
+const SlicedForm* FindForm(const ir::Program& program, const ir::Inst& inst, bool has_clock) {
+  const auto fits = [&](const SlicedForm& one) {
+    switch (one.needs) {
+      case Needs::kNothing:
+        return true;
+      case Needs::kConstant:
+        return IsConstant(program, Operand(inst, one.constant));
+      case Needs::kClock:
+        return has_clock;
+    }
+    return false;
+  };
+  const auto* const form =
+      std::ranges::find_if(kSlicedForms, [&](const SlicedForm& one) { return one.op == inst.op && fits(one); });
   return form == std::end(kSlicedForms) ? nullptr : form;
 }
 
@@ -111,8 +126,8 @@ void RoutineWriter::WriteInst(ir::InstId id) {
       return;
     case ir::Shape::kLoad:
       Count(share_, places_.IsPerLane(ir::PlaceId(inst.payload)));
-      out_ +=
-          "const auto " + ValueName(id) + " = " + places_.Load(ir::PlaceId(inst.payload), ir::ValueId(inst.a)) + ";\n";
+      out_ += "const auto " + ValueName(id) + " = " +
+              places_.Load(ir::PlaceId(inst.payload), ir::ValueId(inst.a), Mask()) + ";\n";
       return;
     case ir::Shape::kStore:
       return WriteStore(inst);
@@ -174,7 +189,7 @@ void RoutineWriter::WritePure(ir::InstId id, const ir::Inst& inst) {
     out_ += ")};\n";
     return;
   }
-  const SlicedForm* const form = FindForm(program_, inst);
+  const SlicedForm* const form = FindForm(program_, inst, false);
   Count(share_, form == nullptr);
   std::string text = "const auto " + ValueName(id) + " = ";
   if (form != nullptr) {
@@ -192,11 +207,11 @@ void RoutineWriter::WritePure(ir::InstId id, const ir::Inst& inst) {
 
 void RoutineWriter::WriteStep(ir::InstId id, const ir::Inst& inst) {
   const ir::OpInfo& info = ir::Info(inst.op);
-  const SlicedForm* const form = FindForm(program_, inst);
+  const bool has_clock = layout_.clocks[inst.payload] != kNowhere;
+  const SlicedForm* const form = FindForm(program_, inst, has_clock);
   Count(share_, form == nullptr);
   std::string first = std::to_string(layout_.fields[inst.payload].front());
-  const bool has_clock = layout_.clocks[inst.payload] != kNowhere;
-  if (has_clock) first += ", " + std::to_string(layout_.clocks[inst.payload]);
+  if (form != nullptr && form->needs == Needs::kClock) first += ", " + std::to_string(layout_.clocks[inst.payload]);
   const bool gives = info.result != ir::Type::kNone;
   std::string text = gives ? "const auto " + ValueName(id) + " = " : "";
   std::string operands;
@@ -205,8 +220,7 @@ void RoutineWriter::WriteStep(ir::InstId id, const ir::Inst& inst) {
     operands += ", " + (form != nullptr ? ValueName(operand) : RowsOf(program_, operand));
   }
   if (form != nullptr) {
-    text +=
-        std::string(form->function) + (has_clock ? "ByClock" : "") + "(m, " + first + operands + ", " + Mask() + ");\n";
+    text += std::string(form->function) + "(m, " + first + operands + ", " + Mask() + ");\n";
   } else {
     const std::string kind(ir::Info(*info.state).struct_name);
     const std::string call = "plcxx::" + std::string(info.function) + "(instance, value...)";

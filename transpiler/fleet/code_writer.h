@@ -27,8 +27,10 @@ std::string RowsOf(const ir::Program& program, ir::ValueId id);
 class PlaceWriter {
  public:
   PlaceWriter(const ir::Program& program, const Layout& layout) : program_(program), layout_(layout) {}
-  /// An expression.
-  std::string Load(ir::PlaceId place, ir::ValueId index) const;
+  /// An expression; an index is that of the lanes of `mask`.
+  std::string Load(ir::PlaceId place, ir::ValueId index, const std::string& mask) const;
+  /// The place is not indexed.
+  std::string Load(ir::PlaceId place) const { return Load(place, ir::ValueId(), {}); }
   /// A statement, of the expression `value`.
   std::string Store(ir::PlaceId place, ir::ValueId index, const std::string& value, const std::string& mask) const;
   /// A statement, of a number of C++; the place is a scalar.
@@ -40,9 +42,6 @@ class PlaceWriter {
  private:
   std::string LoadFixed(const sim::PlaceAccess& access, ir::Type type) const;
   std::string Element(const sim::PlaceAccess& access) const;
-  bool IsRows(const sim::PlaceAccess& access) const;
-  /// ", 3, 4", least significant first.
-  std::string RowNumbers(const sim::PlaceAccess& access) const;
   /// "Planes<8>, Planes<16>", least significant first.
   std::string Bytes(const sim::PlaceAccess& access) const;
 
@@ -97,7 +96,6 @@ class RoutineWriter {
   const std::string& Mask() const { return contexts_.back().mask; }
   /// Stretches of planes: the first one, and how many.
   std::vector<std::pair<uint32_t, uint32_t>> PlanesOf(const std::set<LocalByte>& bytes) const;
-  std::vector<uint32_t> RowsOfLocals(const std::set<LocalByte>& bytes) const;
   std::vector<uint32_t> ScalarsOf(const std::set<LocalByte>& bytes) const;
   void EndPiece();
 

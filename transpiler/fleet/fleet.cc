@@ -10,19 +10,13 @@ namespace plcxx::fleet {
 namespace {
 
 constexpr size_t kAlignment = 64;
-// Of an on-delay timer.
-constexpr uint8_t kElapsedMs = 0, kLastMs = 1, kTimerInput = 2;
 
 /// `mask` chooses of each bit.
 uint64_t Choose(uint64_t mask, uint64_t yes, uint64_t no) { return (mask & yes) | (~mask & no); }
 
-/// The chosen bits of a row, but those that are forced (which may be none).
-void CopyRow(const std::vector<uint8_t>& chosen, const uint8_t* forced, const uint8_t* from, uint8_t* to) {
-  for (size_t lane = 0; lane < chosen.size(); ++lane) {
-    const int free = chosen[lane] & ~(forced != nullptr ? forced[lane] : 0);
-    to[lane] = static_cast<uint8_t>((to[lane] & ~free) | (from[lane] & free));
-  }
-}
+/// Of retentive memory: planes that are stored together.
+constexpr size_t kPlanesOfABlock = 64;
+size_t Blocks(const Layout& layout) { return layout.retentive_planes / kPlanesOfABlock + 1; }
 
 }  // namespace
 
@@ -33,18 +27,14 @@ Fleet::Fleet(std::shared_ptr<const Library> library) : library_(std::move(librar
   memory_.reset(std::aligned_alloc(kAlignment, bytes));
   PLCXX_CHECK(memory_ != nullptr);
   std::memset(memory_.get(), 0, bytes);
-  const size_t planes = std::max(library_->layout.planes, 1u), rows = std::max(library_->layout.rows, 1u);
+  const size_t planes = std::max(library_->layout.planes, 1u);
   words_ = static_cast<uint64_t*>(memory_.get());
-  rows_ = reinterpret_cast<uint8_t*>(PlaneAt(static_cast<uint32_t>(planes)));
-  if (library_->forces) {
-    forced_ = reinterpret_cast<uint64_t*>(RowAt(static_cast<uint32_t>(rows)));
-    forced_rows_ = reinterpret_cast<uint8_t*>(forced_ + planes * (lanes() / 64));
-  }
-  uint8_t* const after = library_->forces ? forced_rows_ + rows * lanes() : RowAt(static_cast<uint32_t>(rows));
+  if (library_->forces) forced_ = words_ + planes * (lanes() / 64);
+  auto* const after = reinterpret_cast<uint8_t*>(words_ + planes * (lanes() / 64) * (library_->forces ? 2 : 1));
   clocks_ = reinterpret_cast<Clock*>(after);
   scalars_ = after + sizeof(Clock) * std::max(library_->layout.clock_count, 1u);
-  stored_planes_.resize(planes * (lanes() / 64));
-  stored_rows_.resize(rows * lanes());
+  touched_ = scalars_ + std::max(library_->layout.scalars, 1u);
+  stored_planes_.resize(size_t{library_->layout.retentive_planes} * (lanes() / 64));
   host_.context = this;
   host_.call = [](void* context, uint32_t function, const uint64_t* mask, const uint64_t* arguments, uint64_t* results,
                   uint64_t* seconds, uint64_t* has_second) {
@@ -61,10 +51,9 @@ void Fleet::PowerOn() {
   const Layout& layout = library_->layout;
   for (size_t at = 0; at < size_t{layout.planes} * (lanes() / 64); ++at)
     words_[at] &= forced_ != nullptr ? forced_[at] : 0;
-  for (size_t at = 0; at < size_t{layout.rows} * lanes(); ++at)
-    rows_[at] = static_cast<uint8_t>(rows_[at] & (forced_rows_ != nullptr ? forced_rows_[at] : 0));
   std::fill_n(clocks_, layout.clock_count, Clock{});
   std::fill_n(scalars_, layout.scalars, uint8_t{0});
+  std::fill_n(touched_, Blocks(layout), uint8_t{1});
   for (uint32_t s = 0; s < program().spaces.size(); ++s) {
     const ir::Space& space = program().spaces[ir::SpaceId(s)];
     for (const ir::InitialByte& initial : space.initial) {
@@ -83,6 +72,7 @@ void Fleet::SetPlaneBit(uint32_t plane, unsigned lane, bool value) {
   const uint64_t mask = uint64_t{1} << (lane % 64);
   if (forced_ != nullptr && (forced_[at] & mask) != 0) return;
   words_[at] = (words_[at] & ~mask) | (value ? mask : 0);
+  if (plane < library_->layout.retentive_planes) touched_[plane / kPlanesOfABlock] = 1;
 }
 
 bool Fleet::Holds(ir::SpaceId space, uint32_t offset, uint8_t bit) const {
@@ -94,7 +84,7 @@ bool Fleet::Bit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit) 
   if (!Holds(space, offset, bit)) return false;
   const ByteHome& home = library_->layout.At(space.index, offset);
   if (home.is_scalar()) return (scalars_[home.scalar] >> bit & 1) != 0;
-  return home.is_row() ? (RowAt(home.row)[lane] >> bit & 1) != 0 : PlaneBit(home.planes[bit], lane);
+  return PlaneBit(home.planes[bit], lane);
 }
 
 void Fleet::SetBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit, bool value) {
@@ -106,10 +96,7 @@ void Fleet::SetBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bi
     byte = static_cast<uint8_t>((byte & ~mask) | (value ? mask : 0));
     return;
   }
-  if (!home.is_row()) return SetPlaneBit(home.planes[bit], lane, value);
-  const size_t at = size_t{home.row} * lanes() + lane;
-  if (forced_rows_ != nullptr && (forced_rows_[at] & mask) != 0) return;
-  rows_[at] = static_cast<uint8_t>((rows_[at] & ~mask) | (value ? mask : 0));
+  SetPlaneBit(home.planes[bit], lane, value);
 }
 
 uint32_t Fleet::FieldPlane(ir::StateId state, uint8_t field, uint32_t element) const {
@@ -118,44 +105,30 @@ uint32_t Fleet::FieldPlane(ir::StateId state, uint8_t field, uint32_t element) c
   return library_->layout.fields[state.index][field] + element * planes;
 }
 
-uint64_t Fleet::Field(unsigned lane, ir::StateId state, uint8_t field, uint32_t element) const {
+uint64_t Fleet::PlanesOfField(unsigned lane, ir::StateId state, uint8_t field, uint32_t element) const {
   const ir::Type type = ir::Info(program().states[state].kind).fields[field].type;
   const uint32_t bits = type == ir::Type::kBit ? 1 : 8 * ir::Bytes(type);
   const uint32_t first = FieldPlane(state, field, element);
-  if (const uint32_t at = library_->layout.clocks[state.index]; at != kNowhere && clocks_[at].runs != 0) {
-    if (field == kLastMs) return clocks_[at].last;
-    if (field == kElapsedMs) {
-      uint32_t start = 0;
-      for (uint32_t i = 0; i < bits; ++i) start |= uint32_t{PlaneBit(first + i, lane)} << i;
-      return Field(lane, state, kTimerInput) != 0 ? clocks_[at].last - start : 0;
-    }
-  }
   uint64_t value = 0;
   for (uint32_t i = 0; i < bits; ++i) value |= uint64_t{PlaneBit(first + i, lane)} << i;
   return value;
 }
 
-void Fleet::StopClock(ir::StateId state) {
-  const uint32_t at = library_->layout.clocks[state.index];
-  if (at == kNowhere || clocks_[at].runs == 0) return;
-  std::vector<uint64_t> elapsed(lanes());
-  for (unsigned lane = 0; lane < lanes(); ++lane) elapsed[lane] = Field(lane, state, kElapsedMs);
-  const uint32_t last = clocks_[at].last;
-  clocks_[at].runs = 0;
-  for (unsigned lane = 0; lane < lanes(); ++lane) {
-    for (uint32_t i = 0; i < 32; ++i) {
-      SetPlaneBit(FieldPlane(state, kElapsedMs, 0) + i, lane, (elapsed[lane] >> i & 1) != 0);
-      SetPlaneBit(FieldPlane(state, kLastMs, 0) + i, lane, (last >> i & 1) != 0);
-    }
-  }
+uint64_t Fleet::Field(unsigned lane, ir::StateId state, uint8_t field, uint32_t element) const {
+  const std::optional<uint64_t> value = ByClock(lane, state, field);
+  return value ? *value : PlanesOfField(lane, state, field, element);
 }
 
-void Fleet::SetField(unsigned lane, ir::StateId state, uint8_t field, uint64_t value, uint32_t element) {
+void Fleet::SetPlanesOfField(unsigned lane, ir::StateId state, uint8_t field, uint64_t value, uint32_t element) {
   const ir::Type type = ir::Info(program().states[state].kind).fields[field].type;
   const uint32_t bits = type == ir::Type::kBit ? 1 : 8 * ir::Bytes(type);
   const uint32_t first = FieldPlane(state, field, element);
-  StopClock(state);
   for (uint32_t i = 0; i < bits; ++i) SetPlaneBit(first + i, lane, (value >> i & 1) != 0);
+}
+
+void Fleet::SetField(unsigned lane, ir::StateId state, uint8_t field, uint64_t value, uint32_t element) {
+  StopClock(state);
+  SetPlanesOfField(lane, state, field, value, element);
 }
 
 /// Calls visit(offset, bit, bit of the value) for each bit of a place in memory.
@@ -191,11 +164,6 @@ void Fleet::ForceBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t 
   if (!Holds(space, offset, bit)) return;
   const ByteHome& home = library_->layout.At(space.index, offset);
   if (home.is_scalar()) return;  // nothing that the host sees
-  if (home.is_row()) {
-    uint8_t& mask = forced_rows_[size_t{home.row} * lanes() + lane];
-    mask = static_cast<uint8_t>(forced ? mask | (1u << bit) : mask & ~(1u << bit));
-    return;
-  }
   uint64_t& word = forced_[size_t{home.planes[bit]} * (lanes() / 64) + lane / 64];
   const uint64_t mask = uint64_t{1} << (lane % 64);
   word = forced ? word | mask : word & ~mask;
@@ -215,49 +183,41 @@ void Fleet::ForceField(unsigned lane, ir::StateId state, uint8_t field, bool for
 std::span<uint64_t> Fleet::PlaneOf(ir::SpaceId space, uint32_t offset, uint8_t bit) {
   if (!Holds(space, offset, bit)) return {};
   const ByteHome& home = library_->layout.At(space.index, offset);
-  if (home.is_row() || home.is_scalar()) return {};
-  return {PlaneAt(home.planes[bit]), lanes() / 64};
+  if (home.is_scalar()) return {};
+  const uint32_t plane = home.planes[bit];
+  if (plane < library_->layout.retentive_planes) touched_[plane / kPlanesOfABlock] = 1;
+  return {PlaneAt(plane), lanes() / 64};
 }
 
-void Fleet::CopyRetentive(const uint64_t* mask, bool loads) {
-  const unsigned words = lanes() / 64;
-  LaneSet chosen(words);
-  for (unsigned w = 0; w < words; ++w) chosen[w] = mask[w] & (loads ? has_stored_[w] : ~uint64_t{0});
-  // As bytes of a row: all bits of a lane.
-  std::vector<uint8_t> chosen_bytes(lanes());
-  for (unsigned lane = 0; lane < lanes(); ++lane)
-    chosen_bytes[lane] = static_cast<uint8_t>(0 - (chosen[lane / 64] >> (lane % 64) & 1));
-  for (uint32_t s = 0; s < program().spaces.size(); ++s) {
-    if (program().spaces[ir::SpaceId(s)].lifetime != ir::Lifetime::kRetentive) continue;
-    for (const ByteHome& home : library_->layout.bytes[s]) {
-      for (const uint32_t plane : home.planes) {
-        for (unsigned w = 0; plane != kNowhere && w < words; ++w) {
-          const size_t at = size_t{plane} * words + w;
-          if (loads) {
-            const uint64_t free = chosen[w] & ~(forced_ != nullptr ? forced_[at] : 0);
-            words_[at] = Choose(free, stored_planes_[at], words_[at]);
-          } else {
-            stored_planes_[at] = Choose(chosen[w], words_[at], stored_planes_[at]);
-          }
-        }
-      }
-      if (!home.is_row()) continue;
-      const size_t at = size_t{home.row} * lanes();
-      const uint8_t* const forced = loads && forced_rows_ != nullptr ? forced_rows_ + at : nullptr;
-      CopyRow(chosen_bytes, forced, loads ? &stored_rows_[at] : rows_ + at, loads ? rows_ + at : &stored_rows_[at]);
-    }
+void Fleet::LoadRetentive(const uint64_t* mask) {
+  const size_t words = lanes() / 64;
+  for (size_t at = 0; at < stored_planes_.size(); ++at) {
+    const uint64_t free = mask[at % words] & has_stored_[at % words] & ~(forced_ != nullptr ? forced_[at] : 0);
+    words_[at] = Choose(free, stored_planes_[at], words_[at]);
   }
-  for (unsigned w = 0; !loads && w < words; ++w) has_stored_[w] |= mask[w];
 }
 
-void Fleet::StoreRetentive() { CopyRetentive(AllLanes().data(), false); }
+void Fleet::StoreRetentive(const uint64_t* mask) {
+  const size_t words = lanes() / 64, size = kPlanesOfABlock * words;
+  const bool all = std::all_of(mask, mask + words, [](uint64_t word) { return word == ~uint64_t{0}; });
+  for (size_t block = 0; block < Blocks(library_->layout); ++block) {
+    if (touched_[block] == 0) continue;
+    const size_t end = std::min((block + 1) * size, stored_planes_.size());
+    for (size_t at = block * size; at < end; ++at)
+      stored_planes_[at] = Choose(mask[at % words], words_[at], stored_planes_[at]);
+    if (all) touched_[block] = 0;
+  }
+  for (size_t w = 0; w < words; ++w) has_stored_[w] |= mask[w];
+}
+
+void Fleet::StoreRetentive() { StoreRetentive(AllLanes().data()); }
 
 void Fleet::HostCalled(uint32_t function, const uint64_t* mask, const uint64_t* arguments, uint64_t* results,
                        uint64_t* seconds, uint64_t* has_second) {
   const ir::HostFunctionId id(function);
   if (answers_) answers_({id, lanes(), mask, arguments, results, seconds, has_second});
-  if (id == program().schedule.retentive_load) CopyRetentive(mask, true);
-  if (id == program().schedule.retentive_store) CopyRetentive(mask, false);
+  if (id == program().schedule.retentive_load) LoadRetentive(mask);
+  if (id == program().schedule.retentive_store) StoreRetentive(mask);
 }
 
 std::vector<uint8_t> Fleet::Snapshot(unsigned lane, const std::vector<std::vector<uint8_t>>& others) const {
@@ -266,7 +226,7 @@ std::vector<uint8_t> Fleet::Snapshot(unsigned lane, const std::vector<std::vecto
     if (!program().spaces[ir::SpaceId(s)].host_visible) continue;
     for (uint32_t offset = 0; offset < library_->layout.bytes[s].size(); ++offset) {
       const ByteHome& home = library_->layout.At(s, offset);
-      uint8_t byte = home.is_row() ? RowAt(home.row)[lane] : others[s][offset];
+      uint8_t byte = others[s][offset];
       for (uint8_t bit = 0; bit < 8; ++bit) {
         if (home.planes[bit] == kNowhere) continue;
         const int mask = 1 << bit;

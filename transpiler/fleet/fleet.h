@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct FleetCall {
   unsigned lanes = 0;
   const uint64_t* mask = nullptr;
   const uint64_t* arguments = nullptr;  // row after row
-  uint64_t* results = nullptr;          // 0 at first
+  uint64_t* results = nullptr;          // 0 at first; null: the function gives none
   uint64_t* seconds = nullptr;          // likewise
   uint64_t* has_second = nullptr;       // a bit for each lane, 0 at first
 
@@ -70,22 +71,26 @@ class Fleet {
   /// space).
   std::vector<uint8_t> Snapshot(unsigned lane, const std::vector<std::vector<uint8_t>>& others) const;
 
-  /// The words of a plane, a bit for each lane; none where the bit is part of a row or not held.
+  /// The words of a plane, a bit for each lane, to be written before the next Run; none where the bit is not held or
+  /// the same in every machine.
   std::span<uint64_t> PlaneOf(ir::SpaceId space, uint32_t offset, uint8_t bit);
 
  private:
   uint64_t* PlaneAt(uint32_t plane) { return words_ + size_t{plane} * (lanes() / 64); }
   const uint64_t* PlaneAt(uint32_t plane) const { return words_ + size_t{plane} * (lanes() / 64); }
-  uint8_t* RowAt(uint32_t row) { return rows_ + size_t{row} * lanes(); }
-  const uint8_t* RowAt(uint32_t row) const { return rows_ + size_t{row} * lanes(); }
   bool PlaneBit(uint32_t plane, unsigned lane) const { return (PlaneAt(plane)[lane / 64] >> (lane % 64) & 1) != 0; }
   void SetPlaneBit(uint32_t plane, unsigned lane, bool value);
+  /// Of a field that the planes do not hold while the timer's clock runs.
+  std::optional<uint64_t> ByClock(unsigned lane, ir::StateId state, uint8_t field) const;
   /// From here on the planes of a timer's times are what they are called.
   void StopClock(ir::StateId state);
+  uint64_t PlanesOfField(unsigned lane, ir::StateId state, uint8_t field, uint32_t element) const;
+  void SetPlanesOfField(unsigned lane, ir::StateId state, uint8_t field, uint64_t value, uint32_t element);
   uint32_t FieldPlane(ir::StateId state, uint8_t field, uint32_t element) const;
   void HostCalled(uint32_t function, const uint64_t* mask, const uint64_t* arguments, uint64_t* results,
                   uint64_t* seconds, uint64_t* has_second);
-  void CopyRetentive(const uint64_t* mask, bool loads);
+  void LoadRetentive(const uint64_t* mask);
+  void StoreRetentive(const uint64_t* mask);
   template <class Visit>
   void ForEachPart(const ir::Place& place, Visit&& visit) const;
 
@@ -95,15 +100,13 @@ class Fleet {
   std::shared_ptr<const Library> library_;
   std::unique_ptr<void, Free> memory_;
   uint64_t* words_ = nullptr;  // the planes
-  uint8_t* rows_ = nullptr;
   Clock* clocks_ = nullptr;
   uint8_t* scalars_ = nullptr;
-  uint64_t* forced_ = nullptr;      // planes, when the library has forces
-  uint8_t* forced_rows_ = nullptr;  // likewise
+  uint8_t* touched_ = nullptr;  // blocks of retentive memory, written since they were stored
+  uint64_t* forced_ = nullptr;  // planes, when the library has forces
   HostTable host_;
   std::function<void(const FleetCall&)> answers_;
   std::vector<uint64_t> stored_planes_;  // the host's store of retentive memory, as planes
-  std::vector<uint8_t> stored_rows_;
   LaneSet has_stored_;
 };
 

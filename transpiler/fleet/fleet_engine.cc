@@ -187,16 +187,16 @@ class FleetEngine : public sim::Engine {
       if (is_store) continue;
       // All carriers are the same machine: what the control does about the call is done in each of them.
       if (!answer) answer = answers_ ? answers_(call.function, arguments) : sim::HostAnswer{};
-      call.results[lane] = answer->result;
-      call.seconds[lane] = answer->out.value_or(0);
+      if (call.results != nullptr) call.results[lane] = answer->result;
+      if (call.seconds != nullptr) call.seconds[lane] = answer->out.value_or(0);
       if (answer->out) call.has_second[lane / 64] |= uint64_t{1} << (lane % 64);
     }
     if (call.calls(carriers_.front())) MoveRetentive(call.function);
     if (is_store || (function.result == ir::Type::kNone && function.out.name.empty())) return;
     for (unsigned lane = 0; lane < call.lanes; ++lane) {
       if ((noise_lanes_[lane / 64] >> (lane % 64) & 1) == 0) continue;
-      call.results[lane] = random_();
-      call.seconds[lane] = random_();
+      if (call.results != nullptr) call.results[lane] = random_();
+      if (call.seconds != nullptr) call.seconds[lane] = random_();
       call.has_second[lane / 64] |= (random_() & 1) << (lane % 64);
     }
   }

@@ -3,52 +3,52 @@
 namespace plcxx::fleet {
 namespace {
 
-/// What the program names of a byte.
-struct Use {
-  bool indexed = false;
-  uint8_t bits = 0;
-};
-
-std::vector<std::vector<Use>> FindUses(const ir::Program& program) {
-  std::vector<std::vector<Use>> uses;
+/// By space and offset: which bits of a byte the program names.
+std::vector<std::vector<uint8_t>> FindUses(const ir::Program& program) {
+  std::vector<std::vector<uint8_t>> uses;
   for (const ir::Space& space : program.spaces) uses.emplace_back(space.bytes);
   for (const ir::Place& place : program.places) {
     const sim::PlaceAccess access = sim::AccessTo(program, place);
     if (access.kind == sim::AccessKind::kAbsent || access.kind == sim::AccessKind::kField) continue;
-    std::vector<Use>& bytes = uses[access.owner];
+    std::vector<uint8_t>& bytes = uses[access.owner];
     if (access.indexed) {
-      for (uint32_t at = access.low; at < access.high; ++at) bytes[at].indexed = true;
+      for (uint32_t at = access.low; at < access.high; ++at) bytes[at] = 0xFF;
       continue;
     }
     const bool is_bit = access.kind == sim::AccessKind::kBit;
     for (uint32_t i = 0; i < access.bytes; ++i) {
-      Use& use = bytes[access.offset + i];
-      use.bits = static_cast<uint8_t>(use.bits | (is_bit ? 1u << access.bit : 0xFFu));
+      uint8_t& bits = bytes[access.offset + i];
+      bits = static_cast<uint8_t>(bits | (is_bit ? 1u << access.bit : 0xFFu));
     }
   }
   return uses;
+}
+
+void PlaceBytes(Layout& layout, const std::vector<uint8_t>& uses, uint32_t space, const SameEverywhere& same) {
+  for (uint32_t at = 0; at < uses.size(); ++at) {
+    ByteHome& home = layout.bytes[space][at];
+    if (uses[at] != 0 && same.Byte(space, at)) {
+      home.scalar = layout.scalars++;
+      continue;
+    }
+    for (uint8_t bit = 0; bit < 8; ++bit) {
+      if ((uses[at] >> bit & 1) != 0) home.planes[bit] = layout.planes++;
+    }
+  }
 }
 
 }  // namespace
 
 Layout LayOut(const ir::Program& program, const SameEverywhere& same) {
   Layout layout;
-  for (const std::vector<Use>& uses : FindUses(program)) {
-    const auto space = static_cast<uint32_t>(layout.bytes.size());
-    std::vector<ByteHome>& homes = layout.bytes.emplace_back(uses.size());
-    for (size_t at = 0; at < uses.size(); ++at) {
-      if (uses[at].indexed) {
-        homes[at].row = layout.rows++;
-        continue;
-      }
-      if (uses[at].bits != 0 && same.Byte(space, static_cast<uint32_t>(at))) {
-        homes[at].scalar = layout.scalars++;
-        continue;
-      }
-      for (uint8_t bit = 0; bit < 8; ++bit) {
-        if ((uses[at].bits >> bit & 1) != 0) homes[at].planes[bit] = layout.planes++;
-      }
+  const std::vector<std::vector<uint8_t>> uses = FindUses(program);
+  for (const std::vector<uint8_t>& bytes : uses) layout.bytes.emplace_back(bytes.size());
+  for (const bool retentive : {true, false}) {
+    for (uint32_t space = 0; space < uses.size(); ++space) {
+      if ((program.spaces[ir::SpaceId(space)].lifetime == ir::Lifetime::kRetentive) == retentive)
+        PlaceBytes(layout, uses[space], space, same);
     }
+    if (retentive) layout.retentive_planes = layout.planes;
   }
   for (uint32_t s = 0; s < program.states.size(); ++s) {
     const ir::StateInstance& state = program.states[ir::StateId(s)];

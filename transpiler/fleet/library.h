@@ -36,9 +36,10 @@ struct HostTable {
   uint32_t now = 0;
 };
 
-/// The times of an on-delay timer that all lanes step together; see runtime/clocks.h.
+/// The times of a timer that all lanes step together; see runtime/clocks.h and runtime/unit_timers.h.
 struct Clock {
   uint32_t last = 0, oldest = 0, waiting = 0, runs = 0;
+  uint32_t next = 0, preset = 0, unit_ms = 0, counts_by_input = 0;
 };
 
 struct Library {

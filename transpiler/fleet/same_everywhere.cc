@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "transpiler/ir/accesses.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/sim/place_access.h"
 
@@ -11,9 +10,9 @@ namespace {
 
 constexpr uint64_t kLongestPreset = 1u << 30;  // longer ones are rare, and their sums would not fit
 
-bool IsWhole(ir::Type type) { return type != ir::Type::kF32 && type != ir::Type::kF64 && type != ir::Type::kNone; }
-
 }  // namespace
+
+bool IsWhole(ir::Type type) { return type != ir::Type::kF32 && type != ir::Type::kF64 && type != ir::Type::kNone; }
 
 SameEverywhere::SameEverywhere(const ir::Program& program)
     : program_(program),
@@ -150,25 +149,43 @@ void SameEverywhere::WalkInst(ir::InstId id, bool diverges) {
   for (const ir::RegionId region : ir::OwnedRegions(program_, inst)) WalkRegion(region, inside);
 }
 
+void SameEverywhere::LookAtStep(const ir::Inst& inst, std::vector<const ir::Inst*>& steps) {
+  const uint32_t state = inst.payload;
+  const ir::StateKind kind = program_.states[ir::StateId(state)].kind;
+  if (kind == ir::StateKind::kOnDelayTimer) {
+    const ir::Inst& preset = program_[ir::ValueId(inst.b)];
+    const bool is_short = preset.op == ir::OpKind::kConst && ir::ConstantValue(preset) <= kLongestPreset;
+    if (inst.op == ir::OpKind::kOnDelay && (!is_short || !values_[inst.c])) clocks_[state] = false;
+  } else if (kind == ir::StateKind::kUnitTimer) {
+    if (!values_[inst.c] || (steps[state] != nullptr && steps[state]->op != inst.op)) clocks_[state] = false;
+    steps[state] = &inst;
+  }
+}
+
+void SameEverywhere::LookAtField(const ir::Place& place, ir::Access access) {
+  const ir::StateKind kind = program_.states[place.state].kind;
+  const bool allowed = kind == ir::StateKind::kOnDelayTimer
+                           ? access == ir::Access::kRead || place.field == ir::FieldIndex(kind, "hold")
+                           : access == ir::Access::kRead && place.field != ir::FieldIndex(kind, "value");
+  if (!allowed) clocks_[place.state.index] = false;
+}
+
 void SameEverywhere::FindClocks() {
-  for (uint32_t s = 0; s < program_.states.size(); ++s)
-    clocks_[s] = program_.states[ir::StateId(s)].kind == ir::StateKind::kOnDelayTimer;
-  const auto has_long_preset = [&](const ir::Inst& step) {
-    const ir::Inst& preset = program_[ir::ValueId(step.b)];
-    return preset.op != ir::OpKind::kConst || ir::ConstantValue(preset) > kLongestPreset || !values_[step.c];
-  };
-  const uint8_t hold = ir::FieldIndex(ir::StateKind::kOnDelayTimer, "hold");
+  for (uint32_t s = 0; s < program_.states.size(); ++s) {
+    const ir::StateKind kind = program_.states[ir::StateId(s)].kind;
+    clocks_[s] = kind == ir::StateKind::kOnDelayTimer || kind == ir::StateKind::kUnitTimer;
+  }
+  std::vector<const ir::Inst*> steps(program_.states.size(), nullptr);
   for (const ir::Routine& routine : program_.routines) {
     for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
       ir::ForEachInst(program_, region, [&](ir::InstId id) {
         const ir::Inst& inst = program_[id];
-        if (inst.op == ir::OpKind::kOnDelay && has_long_preset(inst)) clocks_[inst.payload] = false;
+        if (ir::Info(inst.op).shape == ir::Shape::kStep) LookAtStep(inst, steps);
         ir::ForEachAccess(
             program_, inst,
             [&](ir::PlaceId place, ir::Access access) {
-              const ir::Place& written = program_.places[place];
-              if (access != ir::Access::kRead && written.is_field() && written.field != hold)
-                clocks_[written.state.index] = false;
+              const ir::Place& named = program_.places[place];
+              if (named.is_field() && clocks_[named.state.index]) LookAtField(named, access);
             },
             [](ir::StateId) {});
       });

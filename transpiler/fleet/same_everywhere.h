@@ -9,9 +9,13 @@
 #include <vector>
 
 #include "transpiler/fleet/local_bytes.h"
+#include "transpiler/ir/accesses.h"
 #include "transpiler/ir/program.h"
 
 namespace plcxx::fleet {
+
+/// A bit or an integer.
+bool IsWhole(ir::Type type);
 
 class SameEverywhere {
  public:
@@ -21,8 +25,9 @@ class SameEverywhere {
   bool Byte(uint32_t space, uint32_t offset) const { return bytes_[space][offset]; }
   /// Not indexed, and all of its bytes are.
   bool Place(ir::PlaceId id) const;
-  /// An on-delay timer whose statements have constant presets and a common time, and whose state nothing else of the
-  /// program writes but `hold`.
+  /// A timer that can be stepped by one clock for all lanes: an on-delay timer whose statements have constant presets
+  /// and a common time, and whose state nothing else of the program writes but `hold`; or a timer that counts a common
+  /// period, by statements of one kind, of whose state nothing else of the program writes anything or reads the value.
   bool HasClock(ir::StateId id) const { return clocks_[id.index]; }
 
  private:
@@ -32,6 +37,8 @@ class SameEverywhere {
   bool ComputesSame(const ir::Inst& inst) const;
   void Differs(ir::PlaceId id);
   void FindClocks();
+  void LookAtStep(const ir::Inst& inst, std::vector<const ir::Inst*>& steps);
+  void LookAtField(const ir::Place& place, ir::Access access);
 
   const ir::Program& program_;
   const LocalBytes* locals_ = nullptr;

@@ -65,7 +65,7 @@ inline void StartClock(State& m, unsigned first, Clock& clock, uint32_t now) {
   ages.bits = 30;
   for (unsigned i = 0; i < 30; ++i) ages.p[i] = m.planes[first + i];
   SubtractFrom(now, &m.planes[first], 32, &m.planes[first]);
-  clock = {now, now - Oldest(ages, input), now - Oldest(ages, input & ~m.planes[first + 66]), 1};
+  clock = {now, now - Oldest(ages, input), now - Oldest(ages, input & ~m.planes[first + 66]), 1, 0, 0, 0, 0};
 }
 
 /// Any step of all lanes.

@@ -1,8 +1,9 @@
-// The State of a fleet: each byte that the program uses is eight planes, or a row with a byte for each lane; fields of
-// state instances are planes. Loads and stores of both, under the mask of the lanes that execute them.
+// The State of a fleet: each bit that the program uses is a plane, eight of them a byte; fields of state instances are
+// planes, too. Loads and stores, under the mask of the lanes that execute them.
 //
-// In: PLCXX_FLEET_PLANES, _ROWS, _CLOCKS and _SCALARS, how many there are; PLCXX_FLEET_FORCES, 1 when bits may be
-// forced. transpiler/fleet/layout.h says which place is where, and fleet.cc relies on the order of the members.
+// In: PLCXX_FLEET_PLANES, _CLOCKS and _SCALARS, how many there are; _RETENTIVE, how many of the planes are retentive
+// memory, the first ones; PLCXX_FLEET_FORCES, 1 when bits may be forced. transpiler/fleet/layout.h says which place is
+// where, and fleet.cc relies on the order of the members.
 #pragma once
 
 #include "transpiler/fleet/runtime/operations.h"
@@ -18,25 +19,29 @@ struct Host {
   uint32_t now;
 };
 
-/// The times of an on-delay timer that all lanes step together; see clocks.h.
+/// The times of a timer that all lanes step together; see clocks.h and unit_timers.h.
 struct Clock {
   uint32_t last, oldest, waiting, runs;
+  uint32_t next, preset, unit_ms, counts_by_input;
 };
+
+/// The first planes are those of retentive memory; who stores it looks at the blocks that were written.
+constexpr unsigned kPlanesOfABlock = 64;
 
 struct alignas(64) State {
   Plane planes[PLCXX_FLEET_PLANES];
-  uint8_t rows[PLCXX_FLEET_ROWS][kLanes];
 #if PLCXX_FLEET_FORCES
-  Plane forced[PLCXX_FLEET_PLANES];               // 1: the bit keeps its value
-  uint8_t forced_rows[PLCXX_FLEET_ROWS][kLanes];  // likewise
+  Plane forced[PLCXX_FLEET_PLANES];  // 1: the bit keeps its value
 #endif
   Clock clocks[PLCXX_FLEET_CLOCKS];
-  uint8_t scalars[PLCXX_FLEET_SCALARS];  // bytes that are the same in every machine
+  uint8_t scalars[PLCXX_FLEET_SCALARS];                          // bytes that are the same in every machine
+  uint8_t touched[PLCXX_FLEET_RETENTIVE / kPlanesOfABlock + 1];  // 1: the block was written after it was stored
   const Host* host;
 };
 
 template <class M>
 inline void PutPlane(State& m, unsigned at, const Plane& value, const M& active) {
+  if (at < PLCXX_FLEET_RETENTIVE) m.touched[at / kPlanesOfABlock] = 1;
 #if PLCXX_FLEET_FORCES
   m.planes[at] = Stored(m.planes[at], value, Without(active, m.forced[at]));
 #else
@@ -44,51 +49,15 @@ inline void PutPlane(State& m, unsigned at, const Plane& value, const M& active)
 #endif
 }
 
-inline void PutRow(State& m, unsigned row, const uint8_t* bytes, All) {
-#if PLCXX_FLEET_FORCES
-  for (unsigned lane = 0; lane < kLanes; ++lane) {
-    const uint8_t kept = m.forced_rows[row][lane];
-    m.rows[row][lane] = static_cast<uint8_t>((m.rows[row][lane] & kept) | (bytes[lane] & ~kept));
-  }
-#else
-  __builtin_memcpy(m.rows[row], bytes, kLanes);
-#endif
-}
-inline void PutRow(State& m, unsigned row, const uint8_t* bytes, const Plane& active) {
-  uint8_t on[kLanes];
-  PlaneToBytes(active, on);
-  for (unsigned lane = 0; lane < kLanes; ++lane) {
-    auto free = static_cast<uint8_t>(0 - on[lane]);
-#if PLCXX_FLEET_FORCES
-    free = static_cast<uint8_t>(free & ~m.forced_rows[row][lane]);
-#endif
-    m.rows[row][lane] = static_cast<uint8_t>((m.rows[row][lane] & ~free) | (bytes[lane] & free));
-  }
-}
-
-// --- bytes of places that do not move: Planes<first> or Row<row>
-// ---------------------------------------------------------
+// --- bytes of places that do not move -------------------------------------------------------------------------------
 
 template <unsigned kFirst>
 struct Planes {
-  static const Plane* Load(const State& m, Plane*) { return &m.planes[kFirst]; }
+  static const Plane* Load(const State& m) { return &m.planes[kFirst]; }
   template <class Number, class M>
   static void Store(State& m, const Number& value, unsigned from, const M& active) {
     PLCXX_UNROLL
     for (unsigned i = 0; i < 8; ++i) PutPlane(m, kFirst + i, value.Bit(from + i), active);
-  }
-};
-template <unsigned kRow>
-struct Row {
-  static const Plane* Load(const State& m, Plane* planes) {
-    BytesToPlanes(m.rows[kRow], planes);
-    return planes;
-  }
-  template <class Number, class M>
-  static void Store(State& m, const Number& value, unsigned from, const M& active) {
-    uint8_t bytes[kLanes];
-    PlanesToBytes([&](unsigned i) { return value.Bit(from + i); }, bytes);
-    PutRow(m, kRow, bytes, active);
   }
 };
 
@@ -98,8 +67,7 @@ inline Bits<8 * sizeof...(Byte)> LoadBytes(const State& m) {
   Bits<8 * sizeof...(Byte)> number;
   unsigned at = 0;
   const auto load = [&](auto byte) {
-    Plane room[8];
-    const Plane* const planes = decltype(byte)::Load(m, room);
+    const Plane* const planes = decltype(byte)::Load(m);
     PLCXX_UNROLL
     for (unsigned i = 0; i < 8; ++i) number.p[at + i] = planes[i];
     at += 8;
@@ -112,43 +80,6 @@ inline void StoreBytes(State& m, const Number& value, const M& active) {
   const auto& number = Sliced(value);
   unsigned from = 0;
   ((Byte::Store(m, number, from, active), from += 8), ...);
-}
-
-/// All bytes are rows: no planes on the way.
-template <class T, unsigned... kRow>
-inline Lanes<T> LoadRows(const State& m) {
-  constexpr unsigned rows[] = {kRow...};
-  Lanes<T> number;
-  for (unsigned lane = 0; lane < kLanes; ++lane) {
-    T value = 0;
-    PLCXX_UNROLL
-    for (unsigned b = 0; b < sizeof(T); ++b) value = static_cast<T>(value | T{m.rows[rows[b]][lane]} << (8 * b));
-    number.v[lane] = value;
-  }
-  return number;
-}
-template <class T, unsigned... kRow, class Rows, class M>
-inline void StoreRows(State& m, const Rows& value, const M& active) {
-  constexpr unsigned rows[] = {kRow...};
-  uint8_t bytes[kLanes];
-  for (unsigned b = 0; b < sizeof(T); ++b) {
-    for (unsigned lane = 0; lane < kLanes; ++lane) bytes[lane] = static_cast<uint8_t>(value[lane] >> (8 * b));
-    PutRow(m, rows[b], bytes, active);
-  }
-}
-
-inline Plane LoadRowBit(const State& m, unsigned row, unsigned bit) {
-  uint8_t bytes[kLanes];
-  for (unsigned lane = 0; lane < kLanes; ++lane) bytes[lane] = m.rows[row][lane] >> bit & 1;
-  return BytesToPlane(bytes);
-}
-template <class M>
-inline void StoreRowBit(State& m, unsigned row, unsigned bit, const Plane& value, const M& active) {
-  uint8_t ones[kLanes], bytes[kLanes];
-  PlaneToBytes(value, ones);
-  for (unsigned lane = 0; lane < kLanes; ++lane)
-    bytes[lane] = static_cast<uint8_t>((m.rows[row][lane] & ~(1U << bit)) | static_cast<unsigned>(ones[lane]) << bit);
-  PutRow(m, row, bytes, active);
 }
 
 // --- bytes that are the same in every machine -----------------------------------------------------------------------
@@ -174,75 +105,129 @@ inline void StoreScalarBit(State& m, unsigned at, unsigned bit, bool value) {
   m.scalars[at] = static_cast<uint8_t>((m.scalars[at] & ~(1U << bit)) | static_cast<unsigned>(value) << bit);
 }
 
-// --- elements at an index: the bytes [low, high) of a space are rows from `row` on -----------------------------------
+// --- elements at an index: the bytes [low, high) of a space are planes from `plane` on ------------------------------
 
 struct Element {
-  uint32_t offset, stride, low, high, row;
+  uint32_t offset, stride, low, high, plane;
   bool big_endian;
-  /// The row of its first byte; false: it is not wholly inside the bounds.
+  /// The first plane of its byte of the lowest address; false: it is not wholly inside the bounds.
   bool Find(uint32_t index, unsigned bytes, uint32_t& first) const {
     const int64_t at = int64_t{offset} + int64_t{static_cast<int32_t>(index)} * int64_t{stride};
     if (at < int64_t{low} || at + bytes > int64_t{high}) return false;
-    first = row + static_cast<uint32_t>(at - low);
+    first = plane + 8 * static_cast<uint32_t>(at - low);
     return true;
+  }
+  /// Where the plane of a number's bit is, from the first one on.
+  unsigned PlaneOf(unsigned bit, unsigned bytes) const {
+    return big_endian ? 8 * (bytes - 1 - bit / 8) + bit % 8 : bit;
   }
 };
 
-template <class T, class Index>
-inline Lanes<T> LoadElement(const State& m, const Element& element, const Index& index) {
-  Lanes<T> number;
-  for (unsigned lane = 0; lane < kLanes; ++lane) {
-    uint32_t first = 0;
-    T value = 0;
-    if (element.Find(index[lane], sizeof(T), first)) {
-      for (unsigned b = 0; b < sizeof(T); ++b) {
-        const unsigned significance = element.big_endian ? sizeof(T) - 1 - b : b;
-        value = static_cast<T>(value | T{m.rows[first + b][lane]} << (8 * significance));
-      }
-    }
-    number.v[lane] = value;
+inline unsigned FirstLane(const Plane& lanes) {
+  unsigned w = 0;
+  while (Word(lanes, w) == 0) ++w;
+  return 64 * w + static_cast<unsigned>(__builtin_ctzll(Word(lanes, w)));
+}
+
+/// Calls `visit(index, lanes)` for each index that lanes have: machines that execute one program mostly want the same
+/// few elements.
+template <class Visit>
+inline void ForEachIndex(const Bits<32>& index, Plane lanes, Visit&& visit) {
+  while (Any(lanes)) {
+    const unsigned lane = FirstLane(lanes);
+    uint32_t number = 0;
+    for (unsigned i = 0; i < 32; ++i)
+      number |= static_cast<uint32_t>(Word(index.p[i], lane / 64) >> (lane % 64) & 1) << i;
+    const Plane equal = lanes & Equal<32>(index, Uniform<uint32_t>{number});
+    visit(number, equal);
+    lanes &= ~equal;
   }
+}
+
+template <unsigned N>
+[[gnu::noinline]] Bits<N> LoadElements(const State& m, const Element& element, const Bits<32>& index,
+                                       const Plane& active) {
+  Bits<N> number{};
+  ForEachIndex(index, active, [&](uint32_t one, const Plane& lanes) {
+    uint32_t first = 0;
+    if (!element.Find(one, N / 8, first)) return;
+    for (unsigned i = 0; i < N; ++i) number.p[i] |= lanes & m.planes[first + element.PlaneOf(i, N / 8)];
+  });
   return number;
 }
-inline void PutByte(State& m, uint32_t row, unsigned lane, unsigned mask, unsigned value) {
-#if PLCXX_FLEET_FORCES
-  mask &= ~static_cast<unsigned>(m.forced_rows[row][lane]);
-#endif
-  m.rows[row][lane] = static_cast<uint8_t>((m.rows[row][lane] & ~mask) | (value & mask));
+template <unsigned N>
+[[gnu::noinline]] void StoreElements(State& m, const Element& element, const Bits<32>& index, const Bits<N>& number,
+                                     const Plane& active) {
+  ForEachIndex(index, active, [&](uint32_t one, const Plane& lanes) {
+    uint32_t first = 0;
+    if (!element.Find(one, N / 8, first)) return;
+    for (unsigned i = 0; i < N; ++i) PutPlane(m, first + element.PlaneOf(i, N / 8), number.p[i], lanes);
+  });
 }
-template <class T, class Index, class Number, class M>
+[[gnu::noinline]] inline Plane LoadElementBits(const State& m, const Element& element, unsigned bit,
+                                               const Bits<32>& index, const Plane& active) {
+  Plane bits{};
+  ForEachIndex(index, active, [&](uint32_t one, const Plane& lanes) {
+    uint32_t first = 0;
+    if (element.Find(one, 1, first)) bits |= lanes & m.planes[first + bit];
+  });
+  return bits;
+}
+[[gnu::noinline]] inline void StoreElementBits(State& m, const Element& element, unsigned bit, const Bits<32>& index,
+                                               const Plane& value, const Plane& active) {
+  ForEachIndex(index, active, [&](uint32_t one, const Plane& lanes) {
+    uint32_t first = 0;
+    if (element.Find(one, 1, first)) PutPlane(m, first + bit, value, lanes);
+  });
+}
+
+/// What lanes load that are not in the mask, nobody asks.
+template <unsigned N, class Index, class M>
+inline Bits<N> LoadElement(const State& m, const Element& element, const Index& index, const M& active) {
+  return LoadElements<N>(m, element, Held<32>(index), ToPlane(active));
+}
+template <unsigned N, class M>
+inline Bits<N> LoadElement(const State& m, const Element& element, const Uniform<uint32_t>& index, const M&) {
+  Bits<N> number{};
+  uint32_t first = 0;
+  if (!element.Find(index.value, N / 8, first)) return number;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) number.p[i] = m.planes[first + element.PlaneOf(i, N / 8)];
+  return number;
+}
+template <unsigned N, class Index, class Number, class M>
 inline void StoreElement(State& m, const Element& element, const Index& index, const Number& value, const M& active) {
-  uint8_t on[kLanes];
-  PlaneToBytes(ToPlane(active), on);
-  for (unsigned lane = 0; lane < kLanes; ++lane) {
-    uint32_t first = 0;
-    if (on[lane] == 0 || !element.Find(index[lane], sizeof(T), first)) continue;
-    for (unsigned b = 0; b < sizeof(T); ++b) {
-      const unsigned significance = element.big_endian ? sizeof(T) - 1 - b : b;
-      PutByte(m, first + b, lane, 0xFF, static_cast<uint8_t>(value[lane] >> (8 * significance)));
-    }
-  }
+  StoreElements<N>(m, element, Held<32>(index), Held<N>(value), ToPlane(active));
 }
-template <class Index>
-inline Plane LoadElementBit(const State& m, const Element& element, unsigned bit, const Index& index) {
-  uint8_t bytes[kLanes];
-  for (unsigned lane = 0; lane < kLanes; ++lane) {
-    uint32_t first = 0;
-    bytes[lane] = element.Find(index[lane], 1, first) ? m.rows[first][lane] >> bit & 1 : 0;
-  }
-  return BytesToPlane(bytes);
+template <unsigned N, class Number, class M>
+inline void StoreElement(State& m, const Element& element, const Uniform<uint32_t>& index, const Number& value,
+                         const M& active) {
+  uint32_t first = 0;
+  if (!element.Find(index.value, N / 8, first)) return;
+  const auto& number = Sliced(value);
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < N; ++i) PutPlane(m, first + element.PlaneOf(i, N / 8), number.Bit(i), active);
+}
+template <class Index, class M>
+inline Plane LoadElementBit(const State& m, const Element& element, unsigned bit, const Index& index, const M& active) {
+  return LoadElementBits(m, element, bit, Held<32>(index), ToPlane(active));
+}
+template <class M>
+inline Plane LoadElementBit(const State& m, const Element& element, unsigned bit, const Uniform<uint32_t>& index,
+                            const M&) {
+  uint32_t first = 0;
+  return element.Find(index.value, 1, first) ? m.planes[first + bit] : Zeros();
 }
 template <class Index, class M>
 inline void StoreElementBit(State& m, const Element& element, unsigned bit, const Index& index, const Plane& value,
                             const M& active) {
-  uint8_t on[kLanes], ones[kLanes];
-  PlaneToBytes(ToPlane(active), on);
-  PlaneToBytes(value, ones);
-  for (unsigned lane = 0; lane < kLanes; ++lane) {
-    uint32_t first = 0;
-    if (on[lane] == 0 || !element.Find(index[lane], 1, first)) continue;
-    PutByte(m, first, lane, 1U << bit, static_cast<unsigned>(ones[lane]) << bit);
-  }
+  StoreElementBits(m, element, bit, Held<32>(index), value, ToPlane(active));
+}
+template <class M>
+inline void StoreElementBit(State& m, const Element& element, unsigned bit, const Uniform<uint32_t>& index,
+                            const Plane& value, const M& active) {
+  uint32_t first = 0;
+  if (element.Find(index.value, 1, first)) PutPlane(m, first + bit, value, active);
 }
 
 // --- what routines need
@@ -266,11 +251,6 @@ template <class M>
 inline void ClearPlanes(State& m, unsigned first, unsigned count, const M& active) {
   for (unsigned i = 0; i < count; ++i) PutPlane(m, first + i, Zeros(), active);
 }
-template <class M>
-inline void ClearRow(State& m, unsigned row, const M& active) {
-  const uint8_t zeros[kLanes] = {};
-  PutRow(m, row, zeros, active);
-}
 inline void KeepPlanes(const State& m, unsigned first, unsigned count, Plane* kept) {
   for (unsigned i = 0; i < count; ++i) kept[i] = m.planes[first + i];
 }
@@ -281,11 +261,16 @@ inline void PutBackPlanes(State& m, unsigned first, unsigned count, const Plane*
 
 inline Uniform<uint32_t> Now(const State& m) { return {m.host->now}; }
 
+/// What a host function gives.
+enum class Gives { kNothing, kResult, kSecond, kBoth };
+
 /// A call of a host function by the lanes of a mask.
-template <unsigned kArguments>
+template <unsigned kArguments, Gives kGives>
 struct HostCall {
+  static constexpr bool kHasResult = kGives == Gives::kResult || kGives == Gives::kBoth;
+  static constexpr bool kHasSecond = kGives == Gives::kSecond || kGives == Gives::kBoth;
   Lanes<uint64_t> arguments[kArguments > 0 ? kArguments : 1];
-  Lanes<uint64_t> results, seconds;
+  Lanes<uint64_t> results[kHasResult ? 1 : 0], seconds[kHasSecond ? 1 : 0];
   uint64_t has_second[kWords];
 
   template <class T, class Rows>
@@ -299,8 +284,10 @@ struct HostCall {
       mask[w] = Word(ToPlane(active), w);
       has_second[w] = 0;
     }
-    for (unsigned lane = 0; lane < kLanes; ++lane) results.v[lane] = seconds.v[lane] = 0;
-    m.host->call(m.host->context, function, mask, arguments[0].v, results.v, seconds.v, has_second);
+    if constexpr (kHasResult) __builtin_memset(results, 0, sizeof results);
+    if constexpr (kHasSecond) __builtin_memset(seconds, 0, sizeof seconds);
+    m.host->call(m.host->context, function, mask, arguments[0].v, kHasResult ? results->v : nullptr,
+                 kHasSecond ? seconds->v : nullptr, has_second);
   }
   template <unsigned N>
   static Bits<N> Narrow(const Lanes<uint64_t>& rows) {
@@ -314,11 +301,11 @@ struct HostCall {
   }
   template <unsigned N>
   Bits<N> Result() const {
-    return Narrow<N>(results);
+    return Narrow<N>(*results);
   }
   template <unsigned N>
   Bits<N> Second() const {
-    return Narrow<N>(seconds);
+    return Narrow<N>(*seconds);
   }
   template <class M>
   Plane HasSecond(const M& active) const {

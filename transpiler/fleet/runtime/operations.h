@@ -297,20 +297,38 @@ inline Bits<N> ToBcd(const A& a) {
   }
   return r;
 }
-/// Nibbles above 9 count with their weight, too.
+/// How many bits so many nibbles need: 15, 15 * 11, 15 * 1111 ...
+constexpr unsigned DigitBits(unsigned digits) { return digits == 1 ? 4 : digits == 2 ? 8 : digits == 4 ? 15 : 28; }
+constexpr uint64_t TenToThe(unsigned digits) { return digits == 0 ? 1 : 10 * TenToThe(digits - 1); }
+
+/// The number of decimal digits from a bit on, half by half; nibbles above 9 count with their weight, too.
+template <unsigned kDigits, class A>
+inline Bits<DigitBits(kDigits)> FromDigits(const A& x, unsigned from) {
+  constexpr unsigned kHalf = kDigits / 2, kBits = DigitBits(kDigits);
+  if constexpr (kDigits == 1) {
+    Bits<4> digit;
+    PLCXX_UNROLL
+    for (unsigned i = 0; i < 4; ++i) digit.p[i] = x.Bit(from + i);
+    return digit;
+  } else {
+    const auto low = Part<kBits, 0, DigitBits(kHalf)>(FromDigits<kHalf>(x, from));
+    const auto high = Part<kBits, 0, DigitBits(kHalf)>(FromDigits<kHalf>(x, from + 4 * kHalf));
+    return Add<kBits>(Times<kBits>(high, Fixed<uint64_t, TenToThe(kHalf)>{}), low);
+  }
+}
 template <unsigned N, class A>
 inline Bits<N> FromBcd(const A& a) {
+  return Part<N, 0, DigitBits(N / 4)>(FromDigits<N / 4>(Sliced(a), 0));
+}
+/// The highest bit is the sign.
+template <class A>
+inline Bits<32> FromSignedBcd(const A& a) {
   const auto& x = Sliced(a);
-  Bits<N> r{};
-  PLCXX_UNROLL
-  for (unsigned at = N; at != 0;) {
-    at -= 4;
-    Bits<N> digit{};
-    PLCXX_UNROLL
-    for (unsigned i = 0; i < 4; ++i) digit.p[i] = x.Bit(at + i);
-    r = Add<N>(Times<N>(r, Fixed<uint8_t, 10>{}), digit);
-  }
-  return r;
+  Bits<32> digits = Held<32>(x);
+  digits.p[31] = Zeros();
+  const Bits<32> number = FromBcd<32>(digits);
+  const Plane negative = x.Bit(31);
+  return Any(negative) ? Select<32>(negative, Minus<32>(number), number) : number;
 }
 /// Whether one of the nibbles is above 9.
 template <unsigned N, class A>
