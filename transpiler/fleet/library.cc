@@ -6,6 +6,7 @@
 
 #include "transpiler/compile/runtime_files.h"
 #include "transpiler/fleet/embedded_runtime.h"
+#include "transpiler/fleet/specialize.h"
 #include "transpiler/support/sha256.h"
 
 namespace plcxx::fleet {
@@ -99,11 +100,12 @@ unsigned WidestFleet() {
 LibraryOrFailure CompileFleet(const ir::Program& program, const LibraryRequest& request) {
   auto library = std::make_shared<Library>();
   library->program = &program;
-  const SameEverywhere same(program);
-  library->layout = LayOut(program, same);
+  const ir::Program specialized = Specialize(program);
+  const SameEverywhere same(specialized);
+  library->layout = LayOut(specialized, same);
   library->lanes = request.lanes != 0 ? request.lanes : WidestFleet();
   library->forces = request.forces;
-  const Code code = WriteCode(program, library->layout, same);
+  const Code code = WriteCode(specialized, library->layout, same);
   library->share = code.share;
   const std::vector<std::string> command = Command(request, library->lanes);
   const compile::TemporaryDirectory directory;
