@@ -37,12 +37,12 @@ std::string FieldsOf(ir::StateKind kind) {
 }
 
 std::string Head(const ir::Program& program, const Layout& layout) {
-  std::string out =
-      "#define PLCXX_FLEET_PLANES " + std::to_string(std::max(layout.planes, 1u)) + "\n#define PLCXX_FLEET_RETENTIVE " +
-      std::to_string(layout.retentive_planes) + "\n#define PLCXX_FLEET_CLOCKS " +
-      std::to_string(std::max(layout.clock_count, 1u)) + "\n#define PLCXX_FLEET_SCALARS " +
-      std::to_string(std::max(layout.scalars, 1u)) +
-      "\n#include \"transpiler/fleet/runtime/unit_timers.h\"\n#include \"transpiler/fleet/runtime/rings.h\"\n";
+  std::string out = "#define PLCXX_FLEET_PLANES " + std::to_string(std::max(layout.planes, 1u)) +
+                    "\n#define PLCXX_FLEET_RETENTIVE " + std::to_string(layout.retentive_planes) +
+                    "\n#define PLCXX_FLEET_CLOCKS " + std::to_string(std::max(layout.clock_count, 1u)) +
+                    "\n#define PLCXX_FLEET_SCALARS " + std::to_string(std::max(layout.scalars, 1u)) +
+                    "\n#include \"transpiler/fleet/runtime/unit_timers.h\"\n#include "
+                    "\"transpiler/fleet/runtime/rings.h\"\n#include \"transpiler/fleet/runtime/products.h\"\n";
   std::set<std::string> headers;
   for (const char* header : {"arith.h", "bcd.h", "c_integers.h", "doubles.h", "floats.h", "logic.h", "registers.h",
                              "rings.h", "position_counters.h"})

@@ -133,14 +133,18 @@ inline unsigned FirstLane(const Plane& lanes) {
 /// few elements.
 template <class Visit>
 inline void ForEachIndex(const Bits<32>& index, Plane lanes, Visit&& visit) {
+  const unsigned bits = UsedBits(index);
   while (Any(lanes)) {
     const unsigned lane = FirstLane(lanes);
     uint32_t number = 0;
-    for (unsigned i = 0; i < 32; ++i)
-      number |= static_cast<uint32_t>(Word(index.p[i], lane / 64) >> (lane % 64) & 1) << i;
-    const Plane equal = lanes & Equal<32>(index, Uniform<uint32_t>{number});
-    visit(number, equal);
-    lanes &= ~equal;
+    Plane differs{};
+    for (unsigned i = 0; i < bits; ++i) {
+      const bool one = (Word(index.p[i], lane / 64) >> (lane % 64) & 1) != 0;
+      number |= static_cast<uint32_t>(one) << i;
+      differs |= one ? ~index.p[i] : index.p[i];
+    }
+    visit(number, lanes & ~differs);
+    lanes &= differs;
   }
 }
 
@@ -261,6 +265,9 @@ inline void PutBackPlanes(State& m, unsigned first, unsigned count, const Plane*
 
 inline Uniform<uint32_t> Now(const State& m) { return {m.host->now}; }
 
+/// By the function of the C library: the compiler has instructions of its own for a known size, which begin slowly.
+[[gnu::noipa]] inline void ClearBytes(void* bytes, size_t size) { __builtin_memset(bytes, 0, size); }
+
 /// What a host function gives.
 enum class Gives { kNothing, kResult, kSecond, kBoth };
 
@@ -284,8 +291,8 @@ struct HostCall {
       mask[w] = Word(ToPlane(active), w);
       has_second[w] = 0;
     }
-    if constexpr (kHasResult) __builtin_memset(results, 0, sizeof results);
-    if constexpr (kHasSecond) __builtin_memset(seconds, 0, sizeof seconds);
+    if constexpr (kHasResult) ClearBytes(results, sizeof results);
+    if constexpr (kHasSecond) ClearBytes(seconds, sizeof seconds);
     m.host->call(m.host->context, function, mask, arguments[0].v, kHasResult ? results->v : nullptr,
                  kHasSecond ? seconds->v : nullptr, has_second);
   }

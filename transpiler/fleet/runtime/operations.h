@@ -273,6 +273,14 @@ inline Bits<N> TimesFirst(const Fixed<T, kBy>& by, const A& a) {
   return Times<N>(a, by);
 }
 
+/// How many of the lower planes have a 1 in a lane.
+template <unsigned N>
+inline unsigned UsedBits(const Bits<N>& number) {
+  unsigned bits = N;
+  while (bits > 0 && !Any(number.p[bits - 1])) --bits;
+  return bits;
+}
+
 // --- decimal digits -------------------------------------------------------------------------------------------------
 
 /// The lowest decimal digits of a number, four bits each: bit by bit from above, everything is doubled, and a digit
