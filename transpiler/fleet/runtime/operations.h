@@ -273,6 +273,32 @@ inline Bits<N> TimesFirst(const Fixed<T, kBy>& by, const A& a) {
   return Times<N>(a, by);
 }
 
+/// The number of the highest bit that is 1, from 1 on; 0: none is.
+template <class A>
+inline Bits<8> HighestBit(const A& a) {
+  const auto& x = Sliced(a);
+  Bits<8> number{};
+  Plane above{};
+  PLCXX_UNROLL
+  for (unsigned i = 8; i-- > 0;) {
+    const Plane highest = x.Bit(i) & ~above;
+    PLCXX_UNROLL
+    for (unsigned b = 0; b < 4; ++b) {
+      if (((i + 1) >> b & 1) != 0) number.p[b] |= highest;
+    }
+    above |= x.Bit(i);
+  }
+  return number;
+}
+/// The bit of that number.
+template <class A>
+inline Bits<8> OneHot(const A& number) {
+  Bits<8> r;
+  PLCXX_UNROLL
+  for (unsigned i = 0; i < 8; ++i) r.p[i] = Equal<8>(number, Uniform<uint8_t>{static_cast<uint8_t>(i + 1)});
+  return r;
+}
+
 /// How many of the lower planes have a 1 in a lane.
 template <unsigned N>
 inline unsigned UsedBits(const Bits<N>& number) {

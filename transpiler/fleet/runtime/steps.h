@@ -102,6 +102,12 @@ inline void UpdateText(State& m, unsigned flag, unsigned inbox, const char* lite
   PutPlane(m, flag + 8, ~IsZero<8>(left), active);
 }
 
+template <class M>
+inline void ClearText(State& m, unsigned inbox, const M& active) {
+  PutField<8>(m, inbox + 256, Fixed<uint8_t, 0>{}, active);
+  PutPlane(m, inbox + 264, Zeros(), active);
+}
+
 // --- on-delay timers
 // ----------------------------------------------------------------------------------------------------
 
