@@ -3,7 +3,7 @@
 // Implements NC110 6.6 (BCD, BIN) with decision D13, PROSTEP 6.9 (FM 4, FM 5) and TECHNOL 6.6: numbers with too many
 // digits and nibbles above 9 have a result too.
 // Not its job: to report them; that is the debug build's choice.
-// Why its functions are called and not copied: timers.h.
+// Why long functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>

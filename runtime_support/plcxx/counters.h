@@ -3,7 +3,7 @@
 // Implements NC110 7.2 to the letter, one Count function per choice of --carry (D9). All zero is the state after
 // power-on. CnnA = v and CnnW = v are plain assignments to `down` and `count`.
 // Not its job: to report a modulus out of range; the result says it, the caller tells the host.
-// Why its functions are called and not copied: timers.h.
+// Why long functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>
@@ -94,7 +94,7 @@ constexpr bool CountEdge(RingCounter& counter, uint16_t modulus) noexcept {
 }
 
 /// CnnZ = z. Clears on the rising edge only: a count assigned while z stays 1 is kept (D10).
-[[gnu::noinline]] static constexpr void ResetCounter(RingCounter& counter, bool z) noexcept {
+constexpr void ResetCounter(RingCounter& counter, bool z) noexcept {
   if (z && !counter.reset) {
     counter.count = 0;
     counter.carry = false;
@@ -106,12 +106,12 @@ constexpr bool CountEdge(RingCounter& counter, uint16_t modulus) noexcept {
 
 /// End of a slow cycle, carry=scan: a carry not set in the fast part ends when its statement was not executed in this
 /// cycle. Any other stamp is an older one, so the numbers may wrap.
-[[gnu::noinline]] static constexpr void ExpireSlow(RingCounter& counter, uint32_t slow_cycle) noexcept {
+constexpr void ExpireSlow(RingCounter& counter, uint32_t slow_cycle) noexcept {
   if (counter.part != kCarryOfFastPart && counter.stamp != slow_cycle) counter.carry = false;
 }
 
 /// End of an execution of the fast part, carry=scan: the same for a carry not set in the slow part.
-[[gnu::noinline]] static constexpr void ExpireFast(RingCounter& counter, uint32_t fast_count) noexcept {
+constexpr void ExpireFast(RingCounter& counter, uint32_t fast_count) noexcept {
   if (counter.part != kCarryOfSlowPart && counter.stamp != fast_count) counter.carry = false;
 }
 

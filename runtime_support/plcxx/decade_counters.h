@@ -1,7 +1,7 @@
 // Counters 0..999 with separate memories of the counting edges, as in STEP 5.
 //
 // Implements PROSTEP 7.2 to the letter. All zero is the state after power-on.
-// Why its functions are called and not copied: timers.h.
+// Why long functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>
@@ -18,14 +18,14 @@ struct DecadeCounter {
 };
 
 /// CU: counts a rising condition, not beyond 999. Returns whether the count is not 0.
-[[gnu::noinline]] static constexpr bool CountUp(DecadeCounter& counter, bool condition) noexcept {
+constexpr bool CountUp(DecadeCounter& counter, bool condition) noexcept {
   if (condition && !counter.up_edge && counter.value < 999) ++counter.value;
   counter.up_edge = condition;
   return counter.value != 0;
 }
 
 /// CD: counts a rising condition down, not below 0. Returns whether the count is not 0.
-[[gnu::noinline]] static constexpr bool CountDown(DecadeCounter& counter, bool condition) noexcept {
+constexpr bool CountDown(DecadeCounter& counter, bool condition) noexcept {
   if (condition && !counter.down_edge && counter.value > 0) --counter.value;
   counter.down_edge = condition;
   return counter.value != 0;
@@ -46,7 +46,7 @@ struct DecadeCounter {
 }
 
 /// R C: 0 while the condition is 1; the edges keep their memories.
-[[gnu::noinline]] static constexpr void ZeroCounter(DecadeCounter& counter, bool condition) noexcept {
+constexpr void ZeroCounter(DecadeCounter& counter, bool condition) noexcept {
   if (condition) counter.value = 0;
 }
 

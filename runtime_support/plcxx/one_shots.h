@@ -5,7 +5,7 @@
 // One one-shot driven in both parts (W350): pulse and previous input are shared, each statement follows the rule of its
 // own part, and each part keeps its own count: a fast statement leaves a running pulse alone while its target is ahead,
 // whoever started the pulse.
-// Why its functions are called and not copied: timers.h.
+// Why long functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>
@@ -26,7 +26,7 @@ constexpr bool ReachedSlowCycle(uint32_t slow_done, uint32_t target) noexcept {
 }
 
 /// The statement in the slow part: the pulse lasts until the same statement in the next slow cycle.
-[[gnu::noinline]] static constexpr void PulseSlow(OneShot& shot, bool input, uint32_t slow_cycle) noexcept {
+constexpr void PulseSlow(OneShot& shot, bool input, uint32_t slow_cycle) noexcept {
   shot.pulse = input && !shot.previous;
   shot.previous = input;
   if (shot.pulse) {
@@ -53,12 +53,12 @@ constexpr bool ReachedSlowCycle(uint32_t slow_done, uint32_t target) noexcept {
 }
 
 /// End of a slow cycle: a pulse started in the slow part ends when its statement was not executed in this cycle.
-[[gnu::noinline]] static constexpr void ExpireSlow(OneShot& shot, uint32_t slow_cycle) noexcept {
+constexpr void ExpireSlow(OneShot& shot, uint32_t slow_cycle) noexcept {
   if (!shot.fast && shot.stamp != slow_cycle) shot.pulse = false;
 }
 
 /// End of an execution of the fast part: a pulse started there ends when its slow cycles are done.
-[[gnu::noinline]] static constexpr void ExpireFast(OneShot& shot, uint32_t slow_done) noexcept {
+constexpr void ExpireFast(OneShot& shot, uint32_t slow_done) noexcept {
   if (shot.fast && ReachedSlowCycle(slow_done, shot.target)) shot.pulse = false;
 }
 

@@ -2,7 +2,7 @@
 //
 // Implements HOST50 7.3 to the letter. Counts are two's complement. All zero is the state after power-on: the first
 // execution loads the start value and does not count.
-// Why its functions are called and not copied: timers.h.
+// Why long functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>

@@ -3,7 +3,7 @@
 // Implements NC110 7.5: at the start of every slow cycle each literal's flag is updated, then the inbox is cleared. All
 // zero is the state after power-on. Comparison is exact, byte by byte, in the encoding of the control.
 // Not its job: to queue texts (the latest wins), nor to make SendText safe against an interrupted scan (the host's).
-// Why its functions are called and not copied: timers.h.
+// Why long functions are called and not copied: timers.h.
 #pragma once
 
 #include <stddef.h>

@@ -3,7 +3,7 @@
 // Implements PROSTEP 7.1 to the letter. Time passes by PassTime, which the schedule calls for every timer at the start
 // of a tick; the start instructions stand in the program. All zero is the state after power-on.
 // Not its job: when time passes.
-// Why its functions are called and not copied: timers.h.
+// Why long functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>
@@ -115,7 +115,7 @@ constexpr void StopTimer(TimeWordTimer& timer) noexcept {
 }
 
 /// R T: off; edge and scale keep their values, so that the timer stays off until a new edge.
-[[gnu::noinline]] static constexpr void ResetTimer(TimeWordTimer& timer, bool condition) noexcept {
+constexpr void ResetTimer(TimeWordTimer& timer, bool condition) noexcept {
   if (condition) StopTimer(timer);
 }
 

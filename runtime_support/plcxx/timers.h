@@ -3,9 +3,10 @@
 // Implements NC110 7.1 to the letter. All zero is the state after power-on.
 // Not its job: units (the caller passes the preset in milliseconds) and clocks (the caller passes the time, latched
 // once per period, so that all timers of a period agree).
-// A step is called where it is used and not copied there, in this file and its neighbours: a scan executes everything
-// once, so it costs what fetching its code costs, and a copy has three times the bytes of a call. `static` shows the
-// compiler all calls: it passes arguments as it likes and keeps values across a call in what the step leaves alone.
+// A long step is called where it is used and not copied there, in this file and its neighbours: a scan executes
+// everything once, so it costs what fetching its code costs, and a copy has three times the bytes of a call. `static`
+// shows the compiler all calls: it passes arguments as it likes and keeps values across a call in what the step leaves
+// alone. A short one is copied, for a call and its arguments would be as long.
 #pragma once
 
 #include <stdint.h>

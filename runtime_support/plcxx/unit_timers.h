@@ -2,7 +2,7 @@
 //
 // Implements HOST50 7.2 to the letter. The functions carry the source's mnemonics: MS counts units of 100 ms, S of
 // 1 s, M of 60 s. All zero is the state after power-on. A timer that is not executed freezes.
-// Why its functions are called and not copied: timers.h.
+// Why long functions are called and not copied: timers.h.
 #pragma once
 
 #include <stdint.h>
