@@ -75,6 +75,9 @@ void WarnOfUnused(const CheckContext& context) {
   const Unit& unit = context.unit;
   if (unit.faulty) return;  // its use may be in what was not understood
   const Usage usage = FindUsage(context);
+  // The dispatcher hands a handler its channel, wanted or not.
+  std::set<FunctionId> handlers;
+  for (const Registration& registration : context.facts.registrations()) handlers.insert(registration.function);
   for (uint32_t i = 0; i < unit.variables.size(); ++i) {
     const Variable& variable = unit.variables[VariableId(i)];
     const bool parameter = variable.storage == Storage::kParameter;
@@ -84,6 +87,7 @@ void WarnOfUnused(const CheckContext& context) {
     if (variable.function.valid() && !unit.functions[variable.function].is_defined) continue;
     const bool assigned = usage.written[i] || variable.initialised || parameter;
     if (!usage.read[i] && !usage.written[i]) {
+      if (parameter && handlers.contains(variable.function)) continue;
       context.diagnostics.Report(variable.range, diag::HncUnused, parameter ? "parameter" : "variable", variable.name);
     } else if (!usage.read[i]) {
       context.diagnostics.Report(variable.range, diag::HncNeverUsed, variable.name);
@@ -184,6 +188,7 @@ void WarnOfSecondStores(const CheckContext& context) {
 
 void WarnOfPeriods(const CheckContext& context) {
   const Unit& unit = context.unit;
+  if (unit.faulty) return;  // it may be set where something was not understood
   for (const bool fast : {true, false}) {
     const FunctionId entry = fast ? unit.plc1 : unit.plc2;
     if (!entry.valid()) continue;

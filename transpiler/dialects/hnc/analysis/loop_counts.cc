@@ -117,6 +117,19 @@ Bounds Unchanged(const CountedLoop& loop) {
   return same;
 }
 
+int64_t Compared(int64_t value, const CountedLoop& loop) {
+  for (const Bounds& type : loop.conversions) value = WrapInto(value, type);
+  return value;
+}
+
+/// Whether no start below `same` passes the test: -1, compared with an unsigned limit, is above it. They are one
+/// stretch of numbers then, too.
+bool FailsBelow(const CountedLoop& loop, const Bounds& same, int64_t last) {
+  const int64_t high = std::min(loop.start.high, same.low - 1);
+  const int64_t first = Compared(loop.start.low, loop);
+  return first > last && Compared(high, loop) - first == high - loop.start.low;
+}
+
 /// The step by the shorter way round the type: 65535, added to 16 bits, is -1.
 int64_t Shorter(const CountedLoop& loop) {
   const int64_t size = SizeOf(loop.type), up = ((loop.step % size) + size) % size;
@@ -126,10 +139,18 @@ int64_t Shorter(const CountedLoop& loop) {
 /// Upwards below a limit, or downwards above it: one step past the last value that passes the test is the furthest.
 std::optional<LoopCount> CountTowards(const CountedLoop& loop) {
   const Bounds same = Unchanged(loop);
-  if (!loop.start.Within(same)) return std::nullopt;
   const bool upwards = loop.op == BinaryOp::kLess || loop.op == BinaryOp::kLessEqual;
   const int64_t strict = loop.op == BinaryOp::kLess || loop.op == BinaryOp::kGreater ? 1 : 0;
   const int64_t last = upwards ? loop.limit.high - strict : loop.limit.low + strict;
+  if (upwards && loop.start.low < same.low && loop.start.high <= same.high && FailsBelow(loop, same, last)) {
+    if (loop.start.high < same.low) return LoopCount{.iterations = 0, .at_test = loop.start, .in_body = {}};
+    CountedLoop passing = loop;
+    passing.start.low = same.low;
+    std::optional<LoopCount> count = CountTowards(passing);
+    if (count) count->at_test = Join(count->at_test, loop.start);
+    return count;
+  }
+  if (!loop.start.Within(same)) return std::nullopt;
   if (upwards ? last < loop.start.low : last > loop.start.high) {
     return LoopCount{.iterations = 0, .at_test = loop.start, .in_body = {}};
   }
@@ -151,10 +172,8 @@ std::optional<LoopCount> CountOut(const CountedLoop& loop) {
   int64_t value = loop.start.low;
   LoopCount count{.iterations = 0, .at_test = loop.start, .in_body = {}};
   for (; count.iterations <= kMaxIterations; ++count.iterations) {
-    int64_t compared = value;
-    for (const Bounds& type : loop.conversions) compared = WrapInto(compared, type);
     count.at_test = Join(count.at_test, {value, value});
-    if (!RelationHolds(loop.op, compared, loop.limit.low)) return count;
+    if (!RelationHolds(loop.op, Compared(value, loop), loop.limit.low)) return count;
     count.in_body = Join(count.in_body.value_or(Bounds{value, value}), {value, value});
     if (!loop.wraps && !loop.type.Holds(value + step)) return std::nullopt;
     value = WrapInto(value + step, loop.type);
@@ -200,6 +219,20 @@ std::optional<LoopCount> Count(const CountedLoop& loop) {
   }
   if (loop.op == BinaryOp::kNotEqual) return CountToMeeting(loop);
   return std::nullopt;
+}
+
+bool IsEntered(const CountedLoop& loop) {
+  if (!loop.start.Within(Unchanged(loop))) {
+    return loop.start.IsOne() && loop.limit.IsOne() &&
+           RelationHolds(loop.op, Compared(loop.start.low, loop), loop.limit.low);
+  }
+  // Of an order the start that is nearest to the limit decides; others are decided where the ranges do not meet.
+  if (Info(loop.op).family == BinaryFamily::kOrder) {
+    const bool upwards = loop.op == BinaryOp::kLess || loop.op == BinaryOp::kLessEqual;
+    return upwards ? RelationHolds(loop.op, loop.start.high, loop.limit.low)
+                   : RelationHolds(loop.op, loop.start.low, loop.limit.high);
+  }
+  return loop.op == BinaryOp::kNotEqual && !Meet(loop.start, loop.limit);
 }
 
 }  // namespace plcxx::hnc

@@ -36,6 +36,8 @@ struct LoopCount {
 
 /// None: not shown to end.
 std::optional<LoopCount> Count(const CountedLoop& loop);
+/// Whether the relation certainly holds when the counter is compared first.
+bool IsEntered(const CountedLoop& loop);
 
 /// One value as a type of its own width keeps it.
 Bounds Wrapped(const Bounds& one, const Bounds& type);

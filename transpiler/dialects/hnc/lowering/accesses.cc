@@ -20,6 +20,7 @@ using ir::ValueId;
 void Accesses::ReportIndex(ObjectId object, ExprId at) {
   const source::Range range = at.valid() ? ExprAt(at).range : statement_.range;
   const Object& target = objects_[object];
+  if (target.size == 0) return;  // its declaration has been refused
   const std::string text(sources_.Text(range));
   // As the program counts it: P[k] is a word.
   const bool words =
@@ -175,7 +176,7 @@ void Accesses::StoreBitField(const Lvalue& lvalue, const Value& value, IndexFaul
 }
 
 void Accesses::CheckAssigned(VariableId id, ExprId at) {
-  if (!flow_.unassigned.contains(id) || !read_unassigned_.insert(id.index).second) return;
+  if (unit_.faulty || !flow_.unassigned.contains(id) || !read_unassigned_.insert(id.index).second) return;
   diagnostics_.Report(ExprAt(at).range, diag::HncReadBeforeWrite, unit_.variables[id].name);
 }
 

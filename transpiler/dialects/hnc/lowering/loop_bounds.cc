@@ -96,10 +96,11 @@ std::string CalledIn(const Unit& unit, ExprId expr) {
 
 }  // namespace
 
-void Refusal::Add(ProofStep step, std::string reason) {
+void Refusal::Add(ProofStep step, std::string reason, source::Range in_condition) {
   if (!why.empty() && step <= failed_at) return;
   failed_at = step;
   why = std::move(reason);
+  counter = in_condition;
 }
 
 /// What conversions that keep the low `bits` are made of.
@@ -294,6 +295,27 @@ bool LoopBounds::IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) con
   return unchanged;
 }
 
+/// Where a side of a comparison that is more than a counter reads a variable that the loop changes: the i of `i + 1 <
+/// n`. Empty: nowhere.
+source::Range LoopBounds::CounterInside(ExprId side, const std::vector<ExprId>& parts) const {
+  source::Range found;
+  Relation alone;
+  if (FindCounter(unit_, side, alone)) return found;
+  ForEachExpr(unit_, side, [&](ExprId id) {
+    const Expr& read = ExprAt(id);
+    if (read.kind != ExprKind::kLoad || found.begin != found.end) return;
+    const std::optional<Cell> cell = facts_.IntegerCellOf(read.a);
+    const auto changes = [&](ExprId part) {
+      const Expr& store = ExprAt(part);
+      const bool stores = store.kind == ExprKind::kAssign || store.kind == ExprKind::kCompoundAssign ||
+                          store.kind == ExprKind::kIncrement;
+      return stores && facts_.IntegerCellOf(store.a) == cell;
+    };
+    if (cell && std::ranges::any_of(parts, changes)) found = read.range;
+  });
+  return found;
+}
+
 std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const std::vector<ExprId>& before, const LoopShape& loop,
                                              const std::vector<ExprId>& parts, const ObjectSet& declared,
                                              Refusal& refusal) {
@@ -316,20 +338,38 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const std::vector<
   } else {
     add(root, {}, BinaryOp::kNotEqual);
   }
+  if (compares) {
+    for (const ExprId side : {expr.a, expr.b}) {
+      const source::Range read = CounterInside(side, parts);
+      if (read.begin == read.end) continue;
+      refusal.Add(ProofStep::kSide,
+                  "it compares '" + std::string(sources_.Text(ExprAt(side).range)) + "' and not '" +
+                      std::string(sources_.Text(read)) + "' alone: write the rest on the other side",
+                  read);
+    }
+  }
   for (const Relation& relation : candidates) {
     const std::optional<Cell> counter = facts_.IntegerCellOf(relation.counter);
     if (!counter) continue;
     const Cell cell = *counter;
     const Type& type = TypeAt(ExprAt(relation.counter).type);
-    const std::optional<Change> change = ChangeOf(cell, relation.change, before, loop, parts, refusal);
+    const source::Range named = ExprAt(relation.counter).range;
+    Refusal own;
+    const std::optional<Change> change = ChangeOf(cell, relation.change, before, loop, parts, own);
+    if (!change) {
+      // A flag beside a comparison is no counter that somebody has in mind.
+      const bool is_flag = !compares && !relation.change.valid();
+      refusal.Add(is_flag ? ProofStep::kCounter : own.failed_at, own.why, named);
+    }
     if (!change || declared.Has(cell.object)) continue;
     const int64_t step = change->step;
     if (relation.limit.valid() && !IsUnchanged(relation.limit, parts)) {
       const std::string called = CalledIn(unit_, relation.limit);
-      refusal.Add(ProofStep::kLimit, called.empty()
-                                         ? "its limit changes in the loop"
-                                         : "its limit calls '" + called +
-                                               "' in each round: keep the result in a variable in front of the loop");
+      refusal.Add(ProofStep::kLimit,
+                  called.empty() ? "its limit changes in the loop"
+                                 : "its limit calls '" + called +
+                                       "' in each round: keep the result in a variable in front of the loop",
+                  named);
       continue;
     }
     const Bounds all = BoundsOf(type);
@@ -348,10 +388,11 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const std::vector<
         .conversions = relation.conversions};
     std::optional<LoopCount> count = Count(counted);
     if (!count) {
-      refusal.Add(ProofStep::kRange, "its counter may step over the end of its type before the condition fails");
+      refusal.Add(ProofStep::kRange, "its counter may step over the end of its type before the condition fails", named);
       continue;
     }
     LoopProof proof{.count = *count, .counter = cell, .knows_values = !change->in_condition};
+    proof.is_entered = conjunct == loop.condition && IsEntered(counted);
     if (relation.limit.valid() && intervals_.BoundsOfExpr(relation.limit, Origin::kTested) != counted.limit) {
       proof.rests_on_memory = true;
       const auto last = static_cast<int64_t>(count->iterations);

@@ -33,6 +33,7 @@ struct RoundTest {
 struct LoopProof {
   LoopCount count;
   Cell counter;
+  bool is_entered = false;    // its body is executed at least once
   bool knows_values = false;  // `count` has the counter's values; else its condition changes it
   /// Its limit is in memory, and what has been stored there may be forced: the values are right as long as the
   /// iterations are counted.
@@ -40,13 +41,14 @@ struct LoopProof {
 };
 
 /// How far a proof came: of several candidates the one that came furthest says why there is none.
-enum class ProofStep : uint8_t { kNothing, kCounter, kChange, kLimit, kRange };
+enum class ProofStep : uint8_t { kNothing, kCounter, kSide, kChange, kLimit, kRange };
 
 /// Why there is no proof.
 struct Refusal {
-  void Add(ProofStep step, std::string reason);
+  void Add(ProofStep step, std::string reason, source::Range in_condition = {});
 
   std::string why;
+  source::Range counter;  // in the condition, where one was tried
   ProofStep failed_at = ProofStep::kNothing;
 };
 

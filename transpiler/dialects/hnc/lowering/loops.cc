@@ -107,8 +107,12 @@ void Loops::Iterations(const Statement& statement, uint32_t on_continue, bool le
                                 .body = {statement.then},
                                 .tests_first = !is_do},
                                refusal);
-    if (!proof && !leaves && !HasError(statement))
-      diagnostics_.Report(statement.keyword, diag::HncUnboundedLoop, refusal.why);
+    if (!proof && !leaves && !HasError(statement)) {
+      diag::Diagnostic& refused = diagnostics_.Report(statement.keyword, diag::HncUnboundedLoop, refusal.why);
+      if (refusal.counter.begin != refusal.counter.end) {
+        refused.notes.push_back({refusal.counter, "what it is tried to count with"});
+      }
+    }
   }
   const uint64_t rounds = std::max<uint64_t>(1, statement.loop_bound ? statement.loop_bound->rounds
                                                 : proof              ? proof->count.iterations
@@ -150,6 +154,10 @@ void Loops::Iterations(const Statement& statement, uint32_t on_continue, bool le
   statements_.Lower(statement.then, Tail::kNone);
   iterated_.pop_back();
   path_.PlaceLabel(on_continue);
+  // What the first iteration assigns on every way is assigned behind the loop.
+  if (proof && proof->is_entered && flow_.reachable) {
+    std::erase_if(at_end.unassigned, [this](VariableId id) { return !flow_.unassigned.contains(id); });
+  }
   ValueId again;
   if (is_for && statement.step.valid() && flow_.reachable) {
     const ir::RegionId step = builder_.NewRegion();

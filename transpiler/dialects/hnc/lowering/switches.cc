@@ -165,6 +165,15 @@ void Switches::LowerFlat(const Statement& statement, const Value& selector) {
   }
   builder_.SetRegion(behind);
   builder_.SwitchOn(selector.id, std::move(arms));
+  const std::vector<StatementId>& list = unit_.statements[statement.then].body;
+  std::optional<size_t> group;  // where the last one begins
+  for (size_t i = 0; i < list.size(); ++i) {
+    if (!IsCase(unit_.statements[list[i]].kind)) continue;
+    if (group)
+      groups_in_front_[list[i].index] = {list.begin() + static_cast<ptrdiff_t>(*group),
+                                         list.begin() + static_cast<ptrdiff_t>(i)};
+    group = i;
+  }
   flow_.reachable = false;
   statements_.Lower(statement.then, Tail::kNone);
   path_.Leave();
@@ -173,7 +182,14 @@ void Switches::LowerFlat(const Statement& statement, const Value& selector) {
 
 void Switches::PlaceCase(StatementId id) {
   const auto label = case_labels_.find(id.index);
-  if (label != case_labels_.end()) path_.PlaceLabel(label->second);
+  if (label == case_labels_.end()) return;
+  const auto group = groups_in_front_.find(id.index);
+  if (group != groups_in_front_.end() && flow_.reachable) {
+    StatementId labelled = group->second.front();
+    while (IsCase(unit_.statements[labelled].kind)) labelled = unit_.statements[labelled].then;
+    CheckFallThrough(labelled, std::span(group->second).subspan(1), id);
+  }
+  path_.PlaceLabel(label->second);
 }
 
 }  // namespace plcxx::hnc

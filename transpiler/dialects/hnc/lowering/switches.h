@@ -4,6 +4,7 @@
 
 #include <span>
 #include <unordered_map>
+#include <vector>
 
 #include "transpiler/dialects/hnc/lowering/context.h"
 
@@ -31,7 +32,10 @@ class Switches : Context {
         statements_(statements) {}
 
   void Lower(const Statement& statement);
-  void BeginFunction() { case_labels_ = {}; }
+  void BeginFunction() {
+    case_labels_ = {};
+    groups_in_front_ = {};
+  }
   /// A label that lies deeper than its switch's body.
   void PlaceCase(StatementId id);
 
@@ -48,6 +52,8 @@ class Switches : Context {
   Expressions& expressions_;
   Statements& statements_;
   std::unordered_map<uint32_t, uint32_t> case_labels_;  // by StatementId of a case, of a flat switch
+  /// The statements of the group that ends in front of a case of a flat switch, by its StatementId.
+  std::unordered_map<uint32_t, std::vector<StatementId>> groups_in_front_;
 };
 
 }  // namespace plcxx::hnc

@@ -150,6 +150,7 @@ class Rewriter {
   void LeaveOut(LeftOutText& part);
   void Step();
   void CodeCharacter();
+  void BlankedBackslash();
   void ForeignCharacter();
   void Word();
   void Directive();
@@ -212,6 +213,9 @@ void Rewriter::CodeCharacter() {
   if (c == '"') return String();
   if (c == '\'') return CharacterConstant();
   if (IsWord(c)) return Word();
+  if (AtBlankedBackslash()) return BlankedBackslash();
+  // In an argument of a macro that becomes a text it is one character of it. What is left of it is no token (2.2).
+  if (c == '\\' && Peek(1) != 'u' && Peek(1) != 'U') return Copy(1);
   const bool is_control = static_cast<unsigned char>(c) < ' ' || c == '\x7F';
   if (!IsAsciiByte(c) || is_control || c == '$' || c == '@' || c == '`' || c == '\\') return ForeignCharacter();
   Copy(1);
@@ -219,6 +223,21 @@ void Rewriter::CodeCharacter() {
 
 void Rewriter::Word() {
   while (IsWord(Peek())) Copy(1);
+}
+
+/// The line was to go on, so it does: one message.
+void Rewriter::BlankedBackslash() {
+  size_t blanks = 0;
+  while (IsLineBlank(Peek(1 + blanks))) ++blanks;
+  const source::Range range = Here(1);
+  out_.findings
+      .Report(range, diag::HncCharacterForeign, "\\", CodePointName('\\'),
+              "a line goes on only where the backslash is its last character: delete the blanks behind it")
+      .fixits.push_back({{range.end, range.end + static_cast<source::Offset>(blanks)}, ""});
+  Copy(1);
+  at_ += blanks;
+  Mark();
+  CopyLineEnd();
 }
 
 void Rewriter::ForeignCharacter() {

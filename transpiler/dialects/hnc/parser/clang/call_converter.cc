@@ -44,6 +44,11 @@ ExprId CallConverter::CallOf(const clang::CallExpr* expr) {
       decay == nullptr ? nullptr : llvm::dyn_cast<clang::DeclRefExpr>(decay->getSubExpr()->IgnoreParens());
   const auto* function = name == nullptr ? nullptr : llvm::dyn_cast<clang::FunctionDecl>(name->getDecl());
   if (function == nullptr) {
+    // A pointer to functions has been refused where it is declared.
+    const clang::Expr* called = expr->getCallee()->IgnoreParenImpCasts();
+    if (const auto* target = llvm::dyn_cast<clang::UnaryOperator>(called))
+      called = target->getSubExpr()->IgnoreParenImpCasts();
+    if (llvm::isa<clang::DeclRefExpr>(called) || llvm::isa<clang::MemberExpr>(called)) return builder_.Poison(expr);
     findings().Report(RangeOf(expr->getCallee()), diag::HncFunctionPointer,
                       "'" + Written(RangeOf(expr->getCallee())) + "' is called");
     return builder_.Poison(expr);
@@ -148,6 +153,8 @@ void CallConverter::ReportUndefined(const Call& call) {
   if (!now_.undefined.insert(name).second) return;
   if (const FunctionRow* row = FindSystemFunction(name)) {
     findings().Report(call.range, diag::HncUndefinedFunctionHeader, name, FirstHeader(*row));
+  } else if (name == "max" || name == "min") {  // macros
+    findings().Report(call.range, diag::HncUndefinedFunctionHeader, name, "stdlib.h");
   } else {
     const std::string near = NearFunction(name);
     if (near.empty()) {

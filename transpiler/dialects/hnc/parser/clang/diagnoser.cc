@@ -304,8 +304,11 @@ std::string ArgumentText(const clang::Diagnostic& info, unsigned index) {
       const clang::IdentifierInfo* name = info.getArgIdentifier(index);
       return name == nullptr ? std::string() : name->getName().str();
     }
-    case clang::DiagnosticsEngine::ak_qualtype:
-      return clang::QualType::getFromOpaquePtr(reinterpret_cast<void*>(info.getRawArg(index))).getAsString();
+    case clang::DiagnosticsEngine::ak_qualtype: {
+      clang::PrintingPolicy policy{clang::LangOptions()};
+      policy.AnonymousTagLocations = false;  // the place in the text that Clang was given
+      return clang::QualType::getFromOpaquePtr(reinterpret_cast<void*>(info.getRawArg(index))).getAsString(policy);
+    }
     case clang::DiagnosticsEngine::ak_declarationname:
       return clang::DeclarationName::getFromOpaqueInteger(info.getRawArg(index)).getAsString();
     case clang::DiagnosticsEngine::ak_nameddecl:
@@ -489,7 +492,11 @@ bool Diagnoser::Operands(const clang::Diagnostic& info) {
     if (const std::string area = AreaAmong(info); !area.empty()) {
       session_.findings().Report(RangeOf(info), diag::HncAreaAsValue, area);
     } else {
-      session_.findings().Report(RangeOf(info), diag::HncPointerAsValue, "an operand is an address");
+      const unsigned pointer = is_pointer(0) ? 0 : 1;
+      const std::string operand = pointer < info.getNumRanges()
+                                      ? Quoted(Written(session_.places.Of(info.getRange(pointer).getAsRange())))
+                                      : "an operand";
+      session_.findings().Report(RangeOf(info), diag::HncPointerAsValue, operand + " is an address");
     }
   } else {
     std::string types = Quoted(ArgumentText(info, 0));

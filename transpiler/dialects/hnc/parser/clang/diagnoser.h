@@ -23,6 +23,7 @@ class Diagnoser : public clang::DiagnosticConsumer {
   bool Operands(const clang::Diagnostic& info);
   bool Conversions(const clang::Diagnostic& info);
   void Syntax(const clang::Diagnostic& info);
+  bool HasUnterminated() const;
   bool ManualNotation(source::Range range, const std::string& name);
   bool ReportMeant(source::Range range, const std::string& token);
   bool IndexedNotation(source::Range range);

@@ -142,11 +142,21 @@ bool Diagnoser::IndexedNotation(source::Range range) {
   return true;
 }
 
+bool Diagnoser::HasUnterminated() const {
+  return std::ranges::any_of(session_.output.findings.all(), [](const Finding& finding) {
+    return finding.row.key == diag::HncUnterminatedComment.row.key ||
+           finding.row.key == diag::HncUnterminatedString.row.key ||
+           finding.row.key == diag::HncUnterminatedCharacter.row.key;
+  });
+}
+
 void Diagnoser::Syntax(const clang::Diagnostic& info) {
   const source::Range range = RangeOf(info);
   const std::string token = TokenAt(range);
   const unsigned id = info.getID();
   if (ReportMeant(range, token)) return;
+  // What is not closed has taken the rest with it, as it has the bracket that is missing now.
+  if (token == "the end of the file" && HasUnterminated()) return;
   if (id == cd::err_expected_expression && token == "'else'") {
     session_.findings().Report(range, diag::HncMisplaced, "else");
   } else if (id == cd::err_expected || id == cd::err_expected_after) {

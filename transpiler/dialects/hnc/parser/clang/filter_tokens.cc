@@ -150,6 +150,14 @@ void Filter::Next() {
                     tok::utf32_char_constant)) {
     return Character();
   }
+  if (token.is(tok::unknown) && Spelling(token) == "\\") {
+    // In an argument of a macro: there.
+    const clang::SourceLocation place = preprocessor_.getSourceManager().getFileLoc(token.getLocation());
+    session_.findings().Report(session_.places.OfToken(place), diag::HncCharacterForeign, "\\", "U+005C",
+                               "outside literals a backslash only ends a line that goes on");
+    ++at_;
+    return;
+  }
   if (token.isNot(tok::eof)) last_ = token.getLocation();
   Put(token);
   ++at_;

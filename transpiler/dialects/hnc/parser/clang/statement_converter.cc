@@ -93,6 +93,13 @@ StatementId StatementConverter::Expression(const clang::Expr* expr) {
     if (name == kCliName || (name == "disable" && !defined)) result.kind = StatementKind::kCriticalEnter;
     if (name == kStiName || (name == "enable" && !defined)) result.kind = StatementKind::kCriticalLeave;
   }
+  const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(expr->IgnoreParenImpCasts());
+  const auto* function = name == nullptr ? nullptr : llvm::dyn_cast<clang::FunctionDecl>(name->getDecl());
+  if (function != nullptr) {
+    findings().Report(RangeOf(name), diag::HncFunctionPointer,
+                      "'" + function->getNameAsString() + "' is not called, the brackets behind it are missing");
+    result.kind = StatementKind::kEmpty;
+  }
   if (result.kind == StatementKind::kExpression) result.expression = expressions_.Convert(expr);
   result.range = WithSemicolon(result.range);
   result.head = result.range;
