@@ -295,6 +295,12 @@ bool LoopBounds::IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) con
   return unchanged;
 }
 
+/// Whether a side of a comparison is the result of an operator, and no cast alone.
+bool LoopBounds::IsComputed(ExprId side) const {
+  while (ExprAt(side).kind == ExprKind::kConvert) side = ExprAt(side).a;
+  return ExprAt(side).kind == ExprKind::kBinary;
+}
+
 /// Where a side of a comparison that is more than a counter reads a variable that the loop changes: the i of `i + 1 <
 /// n`. Empty: nowhere.
 source::Range LoopBounds::CounterInside(ExprId side, const std::vector<ExprId>& parts) const {
@@ -344,7 +350,8 @@ std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const std::vector<
       if (read.begin == read.end) continue;
       refusal.Add(ProofStep::kSide,
                   "it compares '" + std::string(sources_.Text(ExprAt(side).range)) + "' and not '" +
-                      std::string(sources_.Text(read)) + "' alone: write the rest on the other side",
+                      std::string(sources_.Text(read)) + "' alone" +
+                      (IsComputed(side) ? ": write the rest on the other side" : ""),
                   read);
     }
   }

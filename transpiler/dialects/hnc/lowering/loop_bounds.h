@@ -38,6 +38,7 @@ class LoopBounds : Context {
                                                 Refusal& refusal) const;
   std::optional<Change> ChangeOf(const Cell& counter, ExprId in_comparison, const std::vector<ExprId>& before,
                                  const LoopShape& loop, const std::vector<ExprId>& parts, Refusal& refusal) const;
+  bool IsComputed(ExprId side) const;
   source::Range CounterInside(ExprId side, const std::vector<ExprId>& parts) const;
   bool IsUnchanged(ExprId limit, const std::vector<ExprId>& parts) const;
   std::optional<LoopProof> ProveBy(ExprId conjunct, const std::vector<ExprId>& before, const LoopShape& loop,
