@@ -18,6 +18,8 @@ space A 32 volatile little host_visible "package A: \"in\" and out"
 zone A 0 4 input
 zone A 4 8 output
 zone A bits 38 40 input
+constant A 5 6
+constant A 8 20
 initial A 5 0xf
 space T 64 retentive big
 space locals 8 routine little

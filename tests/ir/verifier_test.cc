@@ -193,6 +193,12 @@ TEST(Verifier, PlacesLieInsideTheirSpaces) {
               ElementsAre("space m: zone outside"));
 }
 
+TEST(Verifier, ConstantTablesLieInTheirSpace) {
+  EXPECT_THAT(Findings(ReadOrDie("space m 8 volatile little\nconstant m 0 2\nconstant m 2 8\n")), ElementsAre());
+  EXPECT_THAT(Findings(ReadOrDie("space m 8 volatile little\nconstant m 4 9\nconstant m 0 2\n")),
+              ElementsAre("space m: constant outside", "space m: constants do not ascend"));
+}
+
 TEST(Verifier, RegionsHaveOneOwner) {
   Program program = Read(Fast("%0 = load bit\nif %0 {\n} else {\n}\n"));
   Find(program, OpKind::kIf).c = Find(program, OpKind::kIf).b;

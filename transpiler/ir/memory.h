@@ -29,6 +29,10 @@ struct Zone {
   Direction direction = Direction::kInternal;
 };
 
+struct ByteRange {
+  uint32_t begin = 0, end = 0;  // half open
+};
+
 struct InitialByte {
   uint32_t offset = 0;
   uint8_t value = 0;
@@ -46,6 +50,8 @@ struct Space {
   bool own = false;
   std::vector<Zone> zones;
   std::vector<InitialByte> initial;  // ascending; the rest is 0
+  /// Tables that the sources declare constant, ascending: the host may look at them, and writes none.
+  std::vector<ByteRange> constants;
 };
 
 constexpr uint8_t kNoBit = 0xFF;

@@ -8,6 +8,7 @@
 //   space A 32 volatile little host_visible "package A"
 //   zone A 0 4 input
 //   zone A bits 38 40 input                  of bits, where it is not of whole bytes
+//   constant A 16 32                         a table that the sources declare constant
 //   initial A 5 0xf
 //   state T5 on_delay_timer
 //   place U4A8 bit A[4].0 address %U4A8      memory; bit 0 of byte 4

@@ -40,6 +40,9 @@ void PrintSpaces(Printer& printer) {
       out += text::kDirections[static_cast<size_t>(zone.direction)];
       out += '\n';
     }
+    for (const ByteRange& range : space.constants) {
+      out += "constant " + handle + ' ' + Decimal(range.begin) + ' ' + Decimal(range.end) + '\n';
+    }
     for (const InitialByte& byte : space.initial) {
       out += "initial " + handle + ' ' + Decimal(byte.offset) + " 0x" + text::Hex(byte.value) + '\n';
     }

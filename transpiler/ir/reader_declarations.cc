@@ -39,6 +39,12 @@ void ReadZone(Reader& reader) {
   if (!reader.error) reader.program.spaces[space].zones.push_back(zone);
 }
 
+void ReadConstant(Reader& reader) {
+  const SpaceId space = reader.Known(reader.spaces, "space");
+  const ByteRange range{.begin = reader.Number32(), .end = reader.Number32()};
+  if (!reader.error) reader.program.spaces[space].constants.push_back(range);
+}
+
 void ReadInitial(Reader& reader) {
   const SpaceId space = reader.Known(reader.spaces, "space");
   const uint32_t offset = reader.Number32();
@@ -229,6 +235,8 @@ void Reader::ReadDeclaration(std::string_view keyword) {
     ReadSpace(*this);
   } else if (keyword == "zone") {
     ReadZone(*this);
+  } else if (keyword == "constant") {
+    ReadConstant(*this);
   } else if (keyword == "initial") {
     ReadInitial(*this);
   } else if (keyword == "state") {

@@ -10,6 +10,15 @@ void VerifySpace(Verifier& verifier, const Space& space) {
     if (zone.begin > zone.end || zone.end > uint64_t{8} * space.bytes)
       verifier.Report("space " + space.name + ": zone outside");
   }
+  for (size_t i = 0; i < space.constants.size(); ++i) {
+    const ByteRange& range = space.constants[i];
+    if (range.begin > range.end || range.end > space.bytes) {
+      verifier.Report("space " + space.name + ": constant outside");
+    }
+    if (i > 0 && space.constants[i - 1].end > range.begin) {
+      verifier.Report("space " + space.name + ": constants do not ascend");
+    }
+  }
   for (size_t i = 0; i < space.initial.size(); ++i) {
     if (space.initial[i].offset >= space.bytes) verifier.Report("space " + space.name + ": initial value outside");
     if (i > 0 && space.initial[i - 1].offset >= space.initial[i].offset) {

@@ -1,6 +1,7 @@
 #include "transpiler/ir/zones.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace plcxx::ir {
 
@@ -34,6 +35,11 @@ uint8_t BitsInZones(const Space& space, uint32_t offset, Direction direction) {
     if (zone.direction == direction) bits = static_cast<uint8_t>(bits | BitsOfZone(zone, offset));
   }
   return bits;
+}
+
+bool IsConstant(const Space& space, uint32_t offset) {
+  const auto behind = std::ranges::upper_bound(space.constants, offset, {}, &ByteRange::begin);
+  return behind != space.constants.begin() && offset < std::prev(behind)->end;
 }
 
 }  // namespace plcxx::ir

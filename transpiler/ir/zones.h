@@ -22,4 +22,7 @@ uint8_t BitsOf(const Space& space, uint32_t offset, Direction direction);
 /// The bits of a byte that any zone of this direction has, the first one or not.
 uint8_t BitsInZones(const Space& space, uint32_t offset, Direction direction);
 
+/// Whether a byte is of a constant table.
+bool IsConstant(const Space& space, uint32_t offset);
+
 }  // namespace plcxx::ir

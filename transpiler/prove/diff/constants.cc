@@ -8,6 +8,7 @@
 #include "transpiler/prove/diff/comparison.h"
 #include "transpiler/prove/machine/inputs.h"
 #include "transpiler/prove/machine/requests.h"
+#include "transpiler/prove/machine/sets.h"
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/known_bits.h"
 
@@ -81,11 +82,9 @@ class ConstantCells {
     const execute::CellId old_cell = which_ == Which::kOld ? cell : comparison_.match.old_of_new[cell.index];
     if (old_cell.valid()) return comparison_.IsInput(old_cell);
     // The new version alone has it.
-    const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
     return machine::IsInbox(version_, cell) ||
            machine::WhatControlWrites(version_, cell) == execute::ControlWrite::kValues ||
-           (what.kind == execute::CellKind::kBit && version_.program->spaces[what.space].host_visible &&
-            !comparison_.new_uses.sets[cell.index]);
+           (machine::MayBeSetByHost(version_, cell) && !comparison_.new_uses.sets[cell.index]);
   }
 
   void FindVariables() {

@@ -9,6 +9,7 @@
 #include "transpiler/ir/op.h"
 #include "transpiler/prove/diff/one_sided.h"
 #include "transpiler/prove/machine/requests.h"
+#include "transpiler/prove/machine/sets.h"
 #include "transpiler/prove/machine/transition.h"
 #include "transpiler/symbolic/execute/summary.h"
 #include "transpiler/symbolic/meaning/meaning.h"
@@ -283,10 +284,12 @@ bool IsInputPair(const machine::Version& old_version, const machine::Version& ne
   const execute::CellId new_cell = match.new_of_old[old_cell.index];
   if (new_cell.valid() && machine::WhatControlWrites(new_version, new_cell) == execute::ControlWrite::kValues)
     return true;
-  const ir::Space& space = old_version.program->spaces[cell.space];
   const bool old_sets = old_uses.sets[old_cell.index];
   const bool new_sets = new_cell.valid() ? new_uses.sets[new_cell.index] : old_sets;
-  if (!space.host_visible || (old_sets && new_sets)) return false;
+  // What either version calls constant keeps there the value that it has at power-on.
+  const bool may_be_set = machine::MayBeSetByHost(old_version, old_cell) &&
+                          (!new_cell.valid() || machine::MayBeSetByHost(new_version, new_cell));
+  if (!may_be_set || (old_sets && new_sets)) return false;
   // What one version alone uses, and writes, is how it does something: no host of the other one knows of it.
   const bool old_uses_it = old_uses.writes[old_cell.index] || old_uses.reads[old_cell.index];
   const bool new_uses_it = new_cell.valid() ? new_uses.writes[new_cell.index] || new_uses.reads[new_cell.index]

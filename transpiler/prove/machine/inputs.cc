@@ -70,7 +70,7 @@ std::vector<bool> InputsOf(const Version& version) {
     if (cell.kind != execute::CellKind::kBit || !IsState(version, id)) continue;
     // What the program's side never writes, or only takes back, anybody may set, an output, too.
     inputs[i] = WhatControlWrites(version, id) == execute::ControlWrite::kValues ||
-                (program.spaces[cell.space].host_visible && !own.Sets(id));
+                (MayBeSetByHost(version, id) && !own.Sets(id));
   }
   return inputs;
 }

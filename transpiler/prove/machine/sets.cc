@@ -6,6 +6,7 @@
 
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/op.h"
+#include "transpiler/ir/zones.h"
 #include "transpiler/prove/machine/transition.h"
 
 namespace plcxx::prove::machine {
@@ -113,6 +114,13 @@ bool MayBeSetByOthers(const Version& version, execute::CellId id) {
   const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
   if (cell.kind != execute::CellKind::kBit || DirectionOf(version, id) != ir::Direction::kInternal) return false;
   return !PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
+}
+
+bool MayBeSetByHost(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  if (cell.kind != execute::CellKind::kBit) return false;
+  const ir::Space& space = version.program->spaces[cell.space];
+  return space.host_visible && !ir::IsConstant(space, cell.offset);
 }
 
 }  // namespace plcxx::prove::machine

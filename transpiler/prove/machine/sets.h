@@ -22,4 +22,7 @@ std::vector<execute::CellId> CellsThatMayBeSet(const Version& version, const ir:
 /// Outputs and signals to the control are the program's, as the control's manual says who else writes them.
 bool MayBeSetByOthers(const Version& version, execute::CellId cell);
 
+/// Whether a cell is memory that the host may write, no matter what the program does with it.
+bool MayBeSetByHost(const Version& version, execute::CellId cell);
+
 }  // namespace plcxx::prove::machine

@@ -244,6 +244,9 @@ void Memory::AddVariables() {
   for (uint32_t i = 0; i < objects_.size(); ++i) {
     const Object& object = objects_[ObjectId(i)];
     if (object.kind != ObjectKind::kVariable || object_space_[i] != data_) continue;
+    if (unit_.variables[VariableId(object.index)].is_const) {
+      program_.spaces[data_].constants.push_back({.begin = object_begin_[i], .end = object_begin_[i] + object.size});
+    }
     for (const InitialValue& initial : unit_.variables[VariableId(object.index)].initial) {
       InitialBytesOf(initial, object_begin_[i]);
     }
