@@ -85,7 +85,7 @@ std::string PathOf(std::span<const Line> lines);
 std::string PathOf(std::span<const Rectangle> boxes);
 
 /// An <svg> element as a part of a page, whose style sheet it uses; `label` is what a screen reader says.
-std::string SvgElement(const Drawing& drawing, std::string_view label);
+void AppendSvgElement(const Drawing& drawing, std::string_view label, std::string& out);
 /// A file of its own, with its style.
 std::string SvgFile(const Drawing& drawing, std::string_view label);
 

@@ -9,11 +9,31 @@ namespace {
 
 std::string Number(int value) { return std::to_string(value); }
 
-void Path(std::string& out, std::string_view pen, const std::string& path) {
-  if (path.empty()) return;
+// Straight into `out`: the ladders of nested statements are most of a page of many megabytes.
+void Append(std::string& out, std::span<const Line> lines) {
+  for (const Line& line : lines) {
+    out += "M" + Number(line.x1) + " " + Number(line.y1);
+    out += line.y1 == line.y2 ? "H" + Number(line.x2) : "V" + Number(line.y2);
+  }
+}
+
+void Append(std::string& out, std::span<const Rectangle> boxes) {
+  for (const Rectangle& box : boxes) {
+    out += "M" + Number(box.x) + " " + Number(box.y) + "h" + Number(box.width) + "v" + Number(box.height) + "h-" +
+           Number(box.width) + "z";
+  }
+}
+
+/// `symbols`: what else is drawn with this pen.
+template <class Shape>
+void Path(std::string& out, std::string_view pen, std::span<const Shape> shapes, std::string_view symbols) {
+  if (shapes.empty() && symbols.empty()) return;
   out += "<path class=\"";
   out += pen;
-  out += "\" d=\"" + path + "\"/>";
+  out += "\" d=\"";
+  Append(out, shapes);
+  out += symbols;
+  out += "\"/>";
 }
 
 constexpr const char* ClassOf(TextKind kind) {
@@ -45,12 +65,12 @@ void Text(std::string& out, const DrawnText& text) {
 }
 
 void Body(std::string& out, const Drawing& drawing) {
-  Path(out, "f", PathOf(drawing.frames));
-  Path(out, "r", PathOf(drawing.rails));
-  Path(out, "w", PathOf(drawing.wires) + drawing.symbols);
-  Path(out, "w d", drawing.local_symbols);
-  Path(out, "b", PathOf(drawing.boxes));
-  Path(out, "b d", PathOf(drawing.local_boxes));
+  Path<Line>(out, "f", drawing.frames, "");
+  Path<Line>(out, "r", drawing.rails, "");
+  Path<Line>(out, "w", drawing.wires, drawing.symbols);
+  Path<Line>(out, "w d", {}, drawing.local_symbols);
+  Path<Rectangle>(out, "b", drawing.boxes, "");
+  Path<Rectangle>(out, "b d", drawing.local_boxes, "");
   for (const DrawnText& text : drawing.texts) Text(out, text);
 }
 
@@ -64,33 +84,28 @@ std::string Attributes(const Drawing& drawing, std::string_view label) {
 
 std::string PathOf(std::span<const Line> lines) {
   std::string path;
-  for (const Line& line : lines) {
-    path += "M" + Number(line.x1) + " " + Number(line.y1);
-    path += line.y1 == line.y2 ? "H" + Number(line.x2) : "V" + Number(line.y2);
-  }
+  Append(path, lines);
   return path;
 }
 
 std::string PathOf(std::span<const Rectangle> boxes) {
   std::string path;
-  for (const Rectangle& box : boxes) {
-    path += "M" + Number(box.x) + " " + Number(box.y) + "h" + Number(box.width) + "v" + Number(box.height) + "h-" +
-            Number(box.width) + "z";
-  }
+  Append(path, boxes);
   return path;
 }
 
-std::string SvgElement(const Drawing& drawing, std::string_view label) {
-  std::string out = "<svg" + Attributes(drawing, label) + ">";
+void AppendSvgElement(const Drawing& drawing, std::string_view label, std::string& out) {
+  out += "<svg" + Attributes(drawing, label) + ">";
   Body(out, drawing);
-  return out + "</svg>";
+  out += "</svg>";
 }
 
 std::string SvgFile(const Drawing& drawing, std::string_view label) {
   std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + Attributes(drawing, label) + ">\n<style>\n" +
                     std::string(PageFile("ladder.css")) + "</style>\n";
   Body(out, drawing);
-  return out + "\n</svg>\n";
+  out += "\n</svg>\n";
+  return out;
 }
 
 }  // namespace plcxx::report

@@ -113,7 +113,7 @@ void AppendCells(const View& view, const Row& row, std::string& out) {
   out += "<div class=\"lad\">";
   if (!row.ladder.empty()) {
     const std::string of = row.statements.empty() ? row.title : view.PlaceOf(row.statements.front());
-    out += SvgElement(Draw(row.ladder), "ladder of " + of);
+    AppendSvgElement(Draw(row.ladder), "ladder of " + of, out);
   }
   out += "</div>";
 }
