@@ -1,6 +1,8 @@
 // What the planes of a timer mean while its clock runs: runtime/clocks.h, runtime/unit_timers.h.
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "transpiler/fleet/fleet.h"
 #include "transpiler/ir/op.h"
@@ -11,7 +13,7 @@ namespace {
 using ir::StateKind;
 
 /// The fields that a clock has in its keeping.
-std::vector<uint8_t> ClockedFields(StateKind kind) {
+std::array<uint8_t, 2> ClockedFields(StateKind kind) {
   const char* const second = kind == StateKind::kUnitTimer ? "value" : "last_ms";
   return {ir::FieldIndex(kind, "elapsed_ms"), ir::FieldIndex(kind, second)};
 }
@@ -23,7 +25,7 @@ std::optional<uint64_t> Fleet::ByClock(unsigned lane, ir::StateId state, uint8_t
   if (at == kNowhere || clocks_[at].runs == 0) return std::nullopt;
   const Clock& clock = clocks_[at];
   const StateKind kind = program().states[state].kind;
-  const std::vector<uint8_t> clocked = ClockedFields(kind);
+  const std::array clocked = ClockedFields(kind);
   if (std::ranges::find(clocked, field) == clocked.end()) return std::nullopt;
   const auto planes_of = [&](const char* name) { return PlanesOfField(lane, state, ir::FieldIndex(kind, name), 0); };
   const auto time = static_cast<uint32_t>(planes_of("elapsed_ms"));
@@ -41,11 +43,11 @@ std::optional<uint64_t> Fleet::ByClock(unsigned lane, ir::StateId state, uint8_t
 void Fleet::StopClock(ir::StateId state) {
   const uint32_t at = library_->layout.clocks[state.index];
   if (at == kNowhere || clocks_[at].runs == 0) return;
+  const auto [first, second] = ClockedFields(program().states[state].kind);
   for (unsigned lane = 0; lane < lanes(); ++lane) {
-    const std::vector<uint8_t> fields = ClockedFields(program().states[state].kind);
-    std::vector<uint64_t> values;
-    for (const uint8_t field : fields) values.push_back(*ByClock(lane, state, field));
-    for (size_t i = 0; i < fields.size(); ++i) SetPlanesOfField(lane, state, fields[i], values[i], 0);
+    const std::optional<uint64_t> value = ByClock(lane, state, first), other = ByClock(lane, state, second);
+    SetPlanesOfField(lane, state, first, *value, 0);
+    SetPlanesOfField(lane, state, second, *other, 0);
   }
   clocks_[at].runs = 0;
 }

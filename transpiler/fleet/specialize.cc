@@ -121,7 +121,7 @@ void Specializer::WalkRoutine(ir::RoutineId id, const Regions& regions, const Kn
     const bool only_body = !regions[0].valid() && !regions[2].valid();
     Known known = only_body ? arguments : Known();
     depth_ = 0;
-    made[i] = WalkApart(regions[i], known);
+    made[i] = WalkApart(regions[i], known).region;
   }
   out_ = out;
   depth_ = depth;
@@ -269,38 +269,26 @@ void Specializer::WalkHostCall(ir::InstId id, ir::Inst inst, Known& known) {
 /// Stores into named locals that no load is left of.
 void Specializer::RemoveUnread() {
   std::vector<bool> read(program_.places.size(), false);
-  std::set<uint32_t> regions;
-  const auto visit_all = [&](auto&& visit) {
-    for (const ir::Routine& routine : program_.routines) {
-      for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
-        if (region.valid()) visit(visit, region);
-      }
-    }
-  };
-  visit_all([&](auto&& self, ir::RegionId region) -> void {
-    for (const ir::InstId id : program_.regions[region].insts) {
-      ir::ForEachAccess(
-          program_, program_[id],
-          [&](ir::PlaceId place, ir::Access access) {
-            if (access != ir::Access::kWrite) read[place.index] = true;
-          },
-          [](ir::StateId) {});
-      for (const ir::RegionId owned : ir::OwnedRegions(program_, program_[id])) self(self, owned);
-    }
-  });
   for (const ir::Routine& routine : program_.routines) {
+    for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) {
+      ir::ForEachInst(program_, region, [&](ir::InstId id) {
+        ir::ForEachAccess(
+            program_, program_[id],
+            [&](ir::PlaceId place, ir::Access access) {
+              if (access != ir::Access::kWrite) read[place.index] = true;
+            },
+            [](ir::StateId) {});
+      });
+    }
     if (routine.result_place.valid()) read[routine.result_place.index] = true;
   }
-  visit_all([&](auto&& self, ir::RegionId region) -> void {
-    std::erase_if(program_.regions[region].insts, [&](ir::InstId id) {
+  for (ir::Region& region : program_.regions) {
+    std::erase_if(region.insts, [&](ir::InstId id) {
       const ir::Inst& inst = program_[id];
       return ir::Info(inst.op).shape == ir::Shape::kStore && IsFollowed(ir::PlaceId(inst.payload)) &&
              !read[inst.payload];
     });
-    for (const ir::InstId id : program_.regions[region].insts) {
-      for (const ir::RegionId owned : ir::OwnedRegions(program_, program_[id])) self(self, owned);
-    }
-  });
+  }
 }
 
 }  // namespace plcxx::fleet

@@ -32,12 +32,13 @@ bool Specializer::WalkInto(ir::RegionId region, Known& known) {
   return reached;
 }
 
-ir::RegionId Specializer::WalkApart(ir::RegionId region, Known& known) {
+Specializer::Apart Specializer::WalkApart(ir::RegionId region, Known& known) {
+  if (!region.valid()) return {};
   const ir::RegionId out = out_, made = program_.regions.Add({});
   out_ = made;
-  WalkInto(region, known);
+  const bool reached = WalkInto(region, known);
   out_ = out;
-  return made;
+  return {made, reached};
 }
 
 void Specializer::ForgetWritten(const std::vector<ir::RegionId>& regions, Known& known) const {
@@ -108,21 +109,13 @@ bool Specializer::WalkIf(ir::Inst inst, Known& known) {
     const ir::RegionId taken = *condition != 0 ? then : otherwise;
     return !taken.valid() || WalkInto(taken, known);
   }
-  bool then_ends = false, else_ends = false;
   Known then_known = known, else_known = known;
-  const auto walk = [&](ir::RegionId region, Known& inside, bool& ends) {
-    if (!region.valid()) return region;
-    const ir::RegionId out = out_, made = program_.regions.Add({});
-    out_ = made;
-    ends = !WalkInto(region, inside);
-    out_ = out;
-    return made;
-  };
-  inst.b = walk(then, then_known, then_ends).index;
-  inst.c = walk(otherwise, else_known, else_ends).index;
+  const Apart then_arm = WalkApart(then, then_known), else_arm = WalkApart(otherwise, else_known);
+  inst.b = then_arm.region.index;
+  inst.c = else_arm.region.index;
   Write(inst);
-  known = then_ends ? else_known : else_ends ? then_known : Common(then_known, else_known);
-  return !then_ends || !else_ends;
+  known = !then_arm.reached ? else_known : !else_arm.reached ? then_known : Common(then_known, else_known);
+  return then_arm.reached || else_arm.reached;
 }
 
 bool Specializer::WalkSwitch(ir::Inst inst, Known& known) {
@@ -144,7 +137,7 @@ bool Specializer::WalkSwitch(ir::Inst inst, Known& known) {
   for (const ir::SwitchCase& one : cases) {
     Known inside = known;
     ir::SwitchCase& copy = made.cases.emplace_back(one);
-    if (one.region.valid()) copy.region = WalkApart(one.region, inside);
+    copy.region = WalkApart(one.region, inside).region;
   }
   inst.payload = program_.switches.Add(std::move(made)).index;
   Write(inst);
@@ -228,7 +221,7 @@ bool Specializer::WalkLoop(ir::InstId id, ir::Inst inst, Known& known) {
   program_[made].payload = copy.index;
   for (ir::RegionId* const region : {&loop.condition, &loop.body, &loop.step, &loop.exhausted}) {
     Known inside = known;
-    if (region->valid()) *region = WalkApart(*region, inside);
+    *region = WalkApart(*region, inside).region;
   }
   program_.loops[copy] = loop;
   program_.regions[out_].insts.push_back(made);
@@ -251,7 +244,7 @@ void Specializer::WalkRepeat(ir::Inst inst, Known& known) {
   inst.payload = now_[inst.payload];
   known.erase(program_.loops[ir::LoopId(program_[ir::InstId(inst.payload)].payload)].budget.index);
   Known inside = known;
-  if (const ir::RegionId refused(inst.b); refused.valid()) inst.b = WalkApart(refused, inside).index;
+  inst.b = WalkApart(ir::RegionId(inst.b), inside).region.index;
   Write(inst);
 }
 

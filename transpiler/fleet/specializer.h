@@ -30,8 +30,12 @@ class Specializer {
   void WalkOnce(ir::RoutineId id);
   /// Writes the instructions of `region` behind those that are written; false: what follows is not reached.
   bool WalkInto(ir::RegionId region, Known& known);
-  /// Into a region of its own.
-  ir::RegionId WalkApart(ir::RegionId region, Known& known);
+  /// Into a region of its own; none becomes none, and what follows it is reached.
+  struct Apart {
+    ir::RegionId region;
+    bool reached = true;
+  };
+  Apart WalkApart(ir::RegionId region, Known& known);
   bool WalkInst(ir::InstId id, Known& known);
   void WalkPure(ir::InstId id, ir::Inst inst);
   void WalkLoad(ir::InstId id, ir::Inst inst, const Known& known);

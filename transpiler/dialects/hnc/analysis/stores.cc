@@ -2,12 +2,14 @@
 
 #include <vector>
 
+#include "transpiler/support/low_bits.h"
+
 namespace plcxx::hnc {
 namespace {
 
-constexpr uint64_t kAllBits = ~uint64_t{0};
+using support::LowBits;
 
-uint64_t LowBits(uint32_t bits) { return bits >= 64 ? kAllBits : (uint64_t{1} << bits) - 1; }
+constexpr uint64_t kAllBits = ~uint64_t{0};
 
 /// Which bits of a store's right side are 0 for certain, and which are those that the cell has already.
 class RightSide {
@@ -90,7 +92,7 @@ std::optional<ChangedBits> ChangedBy(const Unit& unit, const Facts& facts, const
   if (!at) return std::nullopt;
   const uint32_t size = unit.types[unit.expressions[store.a].type].size;
   if (size == 0 || size > 8) return std::nullopt;
-  const uint64_t all = size == 8 ? ~uint64_t{0} : (uint64_t{1} << (8 * size)) - 1;
+  const uint64_t all = LowBits(8 * size);
   ChangedBits changed{at->object, at->offset, size, all};
   const RightSide right(unit, facts, *at, size);
   if (store.kind == ExprKind::kAssign) changed.mask = all & ~right.Kept(store.b);
