@@ -19,8 +19,10 @@ end
 local function attach(buffer, options)
   local path = options.path or "plcxx"
   if vim.fn.executable(path) ~= 1 then
-    vim.notify_once("plcxx was not found: '" .. path .. "' cannot be started. Install plcxx and put it into PATH, or name it: "
-      .. "require('plcxx').setup({ path = ... })", vim.log.levels.ERROR)
+    local text = "plcxx was not found: '" .. path .. "' cannot be started. Install plcxx and put it into PATH, or name it: "
+      .. "require('plcxx').setup({ path = ... })"
+    -- Not within the event: an old Neovim takes an error message there for an error of this file, and shows its stack.
+    vim.schedule(function() vim.notify_once(text, vim.log.levels.ERROR) end)
     return
   end
   local config = {
@@ -35,6 +37,9 @@ local function attach(buffer, options)
   end
   clients[config.root_dir] = clients[config.root_dir] or vim.lsp.start_client(config)
   vim.lsp.buf_attach_client(buffer, clients[config.root_dir])
+  -- From 0.8 on Neovim does it itself.
+  vim.bo[buffer].omnifunc = "v:lua.vim.lsp.omnifunc"
+  vim.bo[buffer].tagfunc = "v:lua.vim.lsp.tagfunc"
 end
 
 function M.setup(options)

@@ -35,6 +35,12 @@ local function main()
   local definition = request("textDocument/definition", { line = line, character = 2 })
   assert(definition[1].uri:find("lathe%.sym$"), definition[1].uri)
 
+  -- What the page says of keys, in the oldest Neovim, too.
+  vim.api.nvim_win_set_cursor(0, { line + 1, 2 })
+  local tags = vim.lsp.tagfunc("!KDRV", "c")  -- as CTRL-] calls it
+  assert(vim.bo.tagfunc:find("lsp.tagfunc") and vim.bo.omnifunc:find("lsp.omnifunc"), vim.bo.tagfunc .. vim.bo.omnifunc)
+  assert(#tags > 0 and tags[1].filename:find("lathe%.sym$"), vim.inspect(tags))
+
   local function errors()
     return vim.diagnostic.get(buffer, { severity = vim.diagnostic.severity.ERROR })
   end
@@ -47,6 +53,14 @@ local function main()
 
   vim.cmd("edit " .. vim.fn.fnameescape(vim.env.PLCXX_FOLDER .. "/lathe.sym"))
   assert(vim.bo.filetype == "nc110", vim.bo.filetype)
+
+  -- A plcxx that is not there is one message, and no error of the file that is opened.
+  require("plcxx").setup({ path = vim.env.PLCXX .. "-gone" })
+  local said = {}
+  vim.notify_once = function(text) table.insert(said, text) end
+  vim.cmd("edit " .. vim.fn.fnameescape(vim.env.PLCXX_FOLDER .. "/gone.plc"))
+  wait("the message", function() return #said > 0 end)
+  assert(said[1]:find("cannot be started"), said[1])
   print("neovim: as it should be\n")
 end
 
