@@ -6,14 +6,14 @@
 # Which part it is says the array of Slurm, the index of a Kubernetes job (from 0; SHARDS says how many there are), or
 # GitLab's parallel.
 set -eu
-folder=$1
+folder=${1:?usage: shard.sh FOLDER [ARGUMENT...]}
 shift
 if [ -n "${SLURM_ARRAY_TASK_ID:-}" ]; then
   part=$((SLURM_ARRAY_TASK_ID - SLURM_ARRAY_TASK_MIN + 1)) parts=$SLURM_ARRAY_TASK_COUNT
 elif [ -n "${JOB_COMPLETION_INDEX:-}" ]; then
-  part=$((JOB_COMPLETION_INDEX + 1)) parts=$SHARDS
+  part=$((JOB_COMPLETION_INDEX + 1)) parts=${SHARDS:?how many parts are there? set SHARDS}
 else
-  part=${CI_NODE_INDEX:?which part is this? set CI_NODE_INDEX and CI_NODE_TOTAL} parts=$CI_NODE_TOTAL
+  part=${CI_NODE_INDEX:?which part is this? set CI_NODE_INDEX and CI_NODE_TOTAL} parts=${CI_NODE_TOTAL:?how many parts are there? set CI_NODE_TOTAL}
 fi
 mkdir -p "$folder"
 # What is found is told by the merge: a batch system takes 1 for a job that failed.

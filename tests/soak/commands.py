@@ -165,6 +165,12 @@ def main():
 
         # The jobs of batch systems, as local processes: each knows its part from another variable.
         scripts = ROOT / "ci/soak"
+        for script, own, words in (("shard.sh", {}, "usage: shard.sh FOLDER"), ("merge.sh", {}, "usage: merge.sh FOLDER"),
+                                   ("shard.sh out", {}, "set CI_NODE_INDEX and CI_NODE_TOTAL"),
+                                   ("shard.sh out", {"CI_NODE_INDEX": "1"}, "set CI_NODE_TOTAL"),
+                                   ("shard.sh out", {"JOB_COMPLETION_INDEX": "0"}, "set SHARDS")):
+            ran = subprocess.run(f"{scripts}/{script}", shell=True, cwd=work, env={**clean(), **own}, capture_output=True, text=True)
+            expect(ran.returncode == 2 and words in ran.stderr, f"{script} is not refused", ran)
         for name, parts in {
                 "slurm": [{"SLURM_ARRAY_TASK_ID": str(i), "SLURM_ARRAY_TASK_MIN": "4", "SLURM_ARRAY_TASK_COUNT": "2"} for i in (4, 5)],
                 "kubernetes": [{"JOB_COMPLETION_INDEX": str(i), "SHARDS": "2"} for i in (0, 1)],
