@@ -12,6 +12,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <netdb.h>
 #include <poll.h>
 #include <pthread.h>
 #include <stdint.h>
@@ -41,11 +42,23 @@ struct ModbusOptions {
 template <class Machine>
 class ModbusIo {
  public:
-  bool Open(int argc, char** argv) noexcept {
+  static const char* Usage() noexcept {
+    return "  -- --client HOST:PORT     reads inputs from remote terminals and writes outputs there\n"
+           "  -- --server ADDRESS:PORT  waits for a master that does both\n"
+           "     --timeout MS           inputs are safe after so long without a good answer (500)\n"
+           "     --safe PIN=VALUE       what an input is then, once for each (0)\n"
+           "     --poll MS              from one request to the next, as a client (the program's period)\n"
+           "     --unit N               of the peer (255)\n"
+           "  --map server|client       prints which pin is where, and ends; alone on the command line\n";
+  }
+  Opened Open(int argc, char** argv) noexcept {
     Count();
-    if (!ReadOptions(argc, argv)) return false;
+    if (!ReadOptions(argc, argv)) return Opened::kWrongUse;
     last_good_ns_ = 0;  // nothing has been received yet: safe values
-    return pthread_create(&thread_, nullptr, &ModbusIo::Loop, this) == 0;
+    const int error = pthread_create(&thread_, nullptr, &ModbusIo::Loop, this);
+    if (error == 0) return Opened::kYes;
+    fprintf(stderr, "%s: modbus: no thread for the network: %s\n", Machine::kName, strerror(error));
+    return Opened::kFailed;
   }
 
   void Read(Value* pins, int64_t now_ns) noexcept {
@@ -107,10 +120,8 @@ class ModbusIo {
     return false;
   }
   static bool Number(const char* text, uint32_t least, uint32_t most, uint32_t& value) noexcept {
-    char* end = nullptr;
-    errno = 0;
-    const unsigned long number = strtoul(text, &end, 10);
-    if (errno != 0 || end == text || *end != '\0' || number < least || number > most) return false;
+    uint64_t number = 0;
+    if (!ReadWholeNumber(text, least, most, number)) return false;
     value = static_cast<uint32_t>(number);
     return true;
   }
@@ -136,6 +147,8 @@ class ModbusIo {
       const double number = strtod(equal + 1, &end);
       if (end == equal + 1 || *end != '\0' || !SetNumber(safe_[i], pin.type, number))
         return Fail(text, "the pin cannot have this value");
+      if (has_safe_[i]) return Fail(text, "given twice");
+      has_safe_[i] = true;
       return true;
     }
     return Fail(text, "no input of the program: write PIN=VALUE, names are in --map");
@@ -160,32 +173,40 @@ class ModbusIo {
     return false;
   }
   bool ReadOptions(int argc, char** argv) noexcept {
-    bool addressed = false;
+    static constexpr const char* kOptions =
+        "no option; there are: --server, --client, --unit, --timeout, --poll, --safe";
+    bool addressed = false, has_unit = false, has_timeout = false;
     for (int i = 0; i < argc; ++i) {
       const char* const word = argv[i];
-      const char* const value = i + 1 < argc ? argv[i + 1] : nullptr;
-      uint32_t unit = 0;
-      if (value == nullptr)
-        return Fail(word, "no option with a value; there are: --server, --client, --unit, --timeout, --poll, --safe");
-      ++i;
-      if (strcmp(word, "--server") == 0 || strcmp(word, "--client") == 0) {
-        if (addressed) return Fail(word, "a second address: one of --server and --client, once");
-        options_.role = strcmp(word, "--server") == 0 ? ModbusRole::kServer : ModbusRole::kClient;
+      const bool server = strcmp(word, "--server") == 0, address = server || strcmp(word, "--client") == 0,
+                 unit = strcmp(word, "--unit") == 0, timeout = strcmp(word, "--timeout") == 0,
+                 poll = strcmp(word, "--poll") == 0, safe = strcmp(word, "--safe") == 0;
+      if (!address && !unit && !timeout && !poll && !safe) return Fail(word, kOptions);
+      if (address && addressed) return Fail(word, "a second address: one of --server and --client, once");
+      if ((unit && has_unit) || (timeout && has_timeout) || (poll && options_.poll_ms != 0)) {
+        return Fail(word, "given twice");
+      }
+      if (i + 1 == argc) return Fail(word, "needs a value");
+      const char* const value = argv[++i];
+      if (address) {
+        options_.role = server ? ModbusRole::kServer : ModbusRole::kClient;
         if (!Address(value)) return false;
         addressed = true;
-      } else if (strcmp(word, "--unit") == 0) {
-        if (!Number(value, 0, 255, unit)) return Fail(value, "no unit: 0 to 255");
-        options_.unit = static_cast<int>(unit);
-      } else if (strcmp(word, "--timeout") == 0) {
-        if (!Number(value, 1, 60'000, options_.timeout_ms)) return Fail(value, "no timeout: 1 to 60000 ms");
-      } else if (strcmp(word, "--poll") == 0) {
-        if (!Number(value, 1, 60'000, options_.poll_ms))
-          return Fail(value, "no time between two requests: 1 to 60000 ms");
-      } else if (strcmp(word, "--safe") == 0) {
-        if (!Safe(value)) return false;
-      } else {
-        return Fail(word, "no option; there are: --server, --client, --unit, --timeout, --poll, --safe");
       }
+      if (unit) {
+        uint32_t number = 0;
+        if (!Number(value, 0, 255, number)) return Fail(value, "no unit: 0 to 255");
+        options_.unit = static_cast<int>(number);
+        has_unit = true;
+      }
+      if (timeout) {
+        if (!Number(value, 1, 60'000, options_.timeout_ms)) return Fail(value, "no timeout: 1 to 60000 ms");
+        has_timeout = true;
+      }
+      if (poll && !Number(value, 1, 60'000, options_.poll_ms)) {
+        return Fail(value, "no time between two requests: 1 to 60000 ms");
+      }
+      if (safe && !Safe(value)) return false;
     }
     if (!addressed) return Fail("--server", "missing: --server ADDRESS:PORT, or --client HOST:PORT");
     if (options_.poll_ms == 0) options_.poll_ms = Machine::kBaseMs;
@@ -218,11 +239,28 @@ class ModbusIo {
     was_alive = alive;
   }
   static void Say(const char* text) noexcept { fprintf(stderr, "%s: modbus: %s\n", Machine::kName, text); }
-  void SayError(const char* what) noexcept {
-    if (errno == last_error_) return;
-    last_error_ = errno;
-    fprintf(stderr, "%s: modbus: %s %s:%s: %s\n", Machine::kName, what, options_.host, options_.port,
-            modbus_strerror(errno));
+  void SayError(const char* what) noexcept { SayOnce(what, errno, modbus_strerror(errno)); }
+  /// Of an address; libmodbus says "connection refused" of a name that nobody knows, too.
+  void SayUnreachable(const char* what) noexcept {
+    const int error = errno;
+    addrinfo hints = {};
+    hints.ai_socktype = SOCK_STREAM;
+    hints.ai_flags = options_.role == ModbusRole::kServer ? AI_PASSIVE : 0;
+    addrinfo* addresses = nullptr;
+    const int unknown = error == ECONNREFUSED && options_.host[0] != '\0'
+                            ? getaddrinfo(options_.host, options_.port, &hints, &addresses)
+                            : 0;
+    if (addresses != nullptr) freeaddrinfo(addresses);
+    if (unknown != 0) {
+      SayOnce(what, unknown, gai_strerror(unknown));  // its numbers are below zero
+    } else {
+      SayOnce(what, error, modbus_strerror(error));
+    }
+  }
+  void SayOnce(const char* what, int error, const char* why) noexcept {
+    if (error == last_error_) return;
+    last_error_ = error;
+    fprintf(stderr, "%s: modbus: %s %s:%s: %s\n", Machine::kName, what, options_.host, options_.port, why);
   }
   modbus_t* NewContext() noexcept {
     modbus_t* const bus = modbus_new_tcp_pi(options_.host[0] != '\0' ? options_.host : nullptr, options_.port);
@@ -290,7 +328,7 @@ class ModbusIo {
         modbus_mapping_new(static_cast<int>(in_bits_), static_cast<int>(out_bits_), static_cast<int>(2 * in_numbers_),
                            static_cast<int>(2 * out_numbers_));
     int listening = bus != nullptr && tables != nullptr ? modbus_tcp_pi_listen(bus, kMaxClients) : -1;
-    if (listening < 0) SayError("cannot listen at");
+    if (listening < 0) SayUnreachable("cannot listen at");
     pollfd sockets[kMaxClients + 1];
     nfds_t count = 1;
     sockets[0] = {listening, POLLIN, 0};
@@ -338,7 +376,7 @@ class ModbusIo {
   void Ask(bool& was_alive) noexcept {
     modbus_t* const bus = NewContext();
     if (bus == nullptr || modbus_connect(bus) != 0) {
-      SayError("cannot connect to");
+      SayUnreachable("cannot connect to");
     } else {
       int64_t next = ClockNs();
       while (!stopped()) {
@@ -395,6 +433,7 @@ class ModbusIo {
   ModbusOptions options_;
   uint32_t in_bits_ = 0, in_numbers_ = 0, out_bits_ = 0, out_numbers_ = 0;
   Value safe_[Machine::kPins + 1] = {}, newest_[Machine::kPins + 1] = {}, outputs_[Machine::kPins + 1] = {};
+  bool has_safe_[Machine::kPins + 1] = {};
   Handover<kImageBytes> received_ = {}, sent_ = {};
   int64_t last_good_ns_ = 0;
   int last_error_ = 0;

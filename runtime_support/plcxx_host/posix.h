@@ -17,7 +17,7 @@
 namespace plcxx::host {
 
 /// Before the first period, outside of real time, with what the command line has after the loop's own options. False:
-/// the program ends; say why yourself.
+/// the program ends with exit code 1; say why yourself.
 bool io_open(int argc, char** argv) noexcept;
 /// At the start of each period: all inputs, at one moment. What you leave alone keeps its value.
 void io_read(Value* pins) noexcept;
@@ -43,15 +43,16 @@ inline void PrintToStandardError(Severity, const char* machine, const char* text
   fprintf(stderr, "%s: %s\n", machine, text);
 }
 
-inline void PrintUsage(FILE* to, const char* name) {
+/// `arguments`: what is said of those that come after "--".
+inline void PrintUsage(FILE* to, const char* name, const char* arguments) {
   fprintf(to,
           "usage: %s [--retentive FOLDER] [--priority 1..99] [--periods N] [--real-time] [-- ARGUMENT...]\n"
           "  --retentive FOLDER  keeps the retentive memory there, in two files\n"
           "  --priority N        of the loop's thread, SCHED_FIFO (80)\n"
           "  --periods N         ends after so many periods; else at SIGINT or SIGTERM\n"
           "  --real-time         ends at once where the priority or locked memory is not granted\n"
-          "  -- ARGUMENT...      for what reads and writes the terminals\n",
-          name);
+          "%s",
+          name, arguments);
 }
 
 /// Digits alone: strtoull takes "-1" for a very large number.
@@ -133,7 +134,11 @@ template <class Machine, class Io>
   io.Write(host.pins);
 }
 
-/// The main function of a host; `io` has Open, Read, Write and Close as the functions above.
+/// What came of the arguments after "--" and of what they name.
+enum class Opened : uint8_t { kYes, kWrongUse, kFailed };
+
+/// The main function of a host; `io` has Usage, Open, Read, Write and Close as the functions above. Exit codes: 0
+/// ended, 1 what it needs is not there, 2 wrong use.
 template <class Machine, class Io>
 int RunLoop(int argc, char** argv, Io& io) {
   static typename Machine::State state;
@@ -142,11 +147,11 @@ int RunLoop(int argc, char** argv, Io& io) {
   LoopOptions options;
   if (!ReadLoopOptions(argc, argv, options)) {
     fprintf(stderr, "%s: '%s': %s\n", Machine::kName, options.wrong, options.why);
-    PrintUsage(stderr, Machine::kName);
+    PrintUsage(stderr, Machine::kName, Io::Usage());
     return 2;
   }
   if (options.wants_help) {
-    PrintUsage(stdout, Machine::kName);
+    PrintUsage(stdout, Machine::kName, Io::Usage());
     return 0;
   }
   struct sigaction action{};
@@ -154,7 +159,14 @@ int RunLoop(int argc, char** argv, Io& io) {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   keeper.Load(host, options.folder, Machine::kName, PrintToStandardError);
-  if (!io.Open(argc - options.first_argument, argv + options.first_argument)) return 1;
+  switch (io.Open(argc - options.first_argument, argv + options.first_argument)) {
+    case Opened::kYes:
+      break;
+    case Opened::kWrongUse:
+      return 2;
+    case Opened::kFailed:
+      return 1;
+  }
   const RealTime granted = BecomeRealTime(options.priority);
   if (granted != RealTime::kYes) {
     fprintf(stderr, "%s: not real-time: %s is not granted to this user (limits rtprio and memlock)\n", Machine::kName,
@@ -181,7 +193,8 @@ int RunLoop(int argc, char** argv, Io& io) {
 
 /// The four functions as an Io.
 struct OwnIo {
-  bool Open(int argc, char** argv) noexcept { return io_open(argc, argv); }
+  static const char* Usage() noexcept { return "  -- ARGUMENT...      for what reads and writes the terminals\n"; }
+  Opened Open(int argc, char** argv) noexcept { return io_open(argc, argv) ? Opened::kYes : Opened::kFailed; }
   void Read(Value* pins, int64_t) noexcept { io_read(pins); }
   void Write(const Value* pins) noexcept { io_write(pins); }
   void Close() noexcept { io_close(); }

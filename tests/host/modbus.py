@@ -223,11 +223,33 @@ def wrong_options(folder):
                              (["--client", "a:1", "--safe", "pump=1"], "no input of the program"),
                              (["--client", "a:1", "--safe", "i0a0=2"], "the pin cannot have this value"),
                              (["--client", "a:1", "--timeout", "0"], "no timeout: 1 to 60000 ms"),
+                             (["--client", "a:1", "--timeout", " 5"], "no timeout: 1 to 60000 ms"),
+                             (["--client", "a:1", "--unit", "-0"], "no unit: 0 to 255"),
+                             (["--client", "a:1", "--poll", "5", "--poll", "6"], "given twice"),
+                             (["--client", "a:1", "--safe", "i0a0=1", "--safe", "i0a0=0"], "given twice"),
                              (["--coil", "1"], "no option; there are: --server")):
         ran = subprocess.run([os.path.join(folder, "fan_modbus"), "--", *arguments], capture_output=True, text=True, timeout=LIMIT_S)
-        assert ran.returncode == 1 and words in ran.stderr, (arguments, ran)
+        assert ran.returncode == 2 and words in ran.stderr, (arguments, ran)
+    help_text = subprocess.run([os.path.join(folder, "fan_modbus"), "--help"], capture_output=True, text=True, check=True).stdout
+    for option in ("--retentive", "--client", "--server", "--timeout", "--safe", "--poll", "--unit", "--map"):
+        assert option in help_text, (option, help_text)
     table = subprocess.run([os.path.join(folder, "fan_modbus"), "--map", "client"], capture_output=True, text=True, check=True).stdout
     assert table.splitlines()[0].split()[:5] == ["discrete", "input", "0", "in", "i0a0"], table
+
+
+def unreachable(folder):
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        free, used = free_port(), taken.getsockname()[1]
+        for arguments, words in ((["--client", "127.0.0.1:%d" % free], "cannot connect to 127.0.0.1:%d: Connection refused" % free),
+                                 # A name that nobody can know (RFC 6761); without a name server the resolver says why instead.
+                                 (["--client", "plc.invalid:502"], "cannot connect to plc.invalid:502: "),
+                                 (["--server", "plc.invalid:502"], "cannot listen at plc.invalid:502: "),
+                                 (["--server", "127.0.0.1:%d" % used], "cannot listen at 127.0.0.1:%d: Address already in use" % used)):
+            with Machine(folder, *arguments) as machine:
+                until(words, lambda: words in machine.said())
+                assert "Connection refused" in words or "Connection refused" not in machine.said(), machine.said()
 
 
 def main():
@@ -241,7 +263,7 @@ def main():
         sys.exit(77)
     with tempfile.TemporaryDirectory(prefix="plcxx-test-") as folder:
         build(sys.argv[1], folder)
-        for check in (wrong_options, as_server, as_client, garbage_answers):
+        for check in (wrong_options, unreachable, as_server, as_client, garbage_answers):
             check(folder)
             print("%s: as it should be, with pymodbus %s" % (check.__name__, pymodbus.__version__), flush=True)
 
