@@ -137,4 +137,25 @@ Findings CheckShownFiles(const std::string& root) {
   return findings;
 }
 
+Findings CheckSecurity(const std::string& root) {
+  const std::regex used("add_subcommand\\(\"([a-z]+)\"|(?:getenv|EnvironmentValue)\\(\"([A-Z_]+)\"");
+  const std::string page = ReadFile(root + "/docs/security.md");
+  Findings findings;
+  size_t found = 0;
+  for (const std::string& file : FilesBelow(root, "transpiler", {".cc"})) {
+    size_t number = 0;
+    for (const std::string& line : Lines(ReadFile(root + "/" + file))) {
+      ++number;
+      std::smatch match;
+      if (line.find('"') == std::string::npos || !std::regex_search(line, match, used)) continue;
+      ++found;
+      const std::string name = match[1].matched ? match[1].str() : match[2].str();
+      if (page.find("`" + name + "`") == std::string::npos && page.find("`" + name + " -") == std::string::npos)
+        findings.push_back(Place(file, number) + "docs/security.md does not name '" + name + "'");
+    }
+  }
+  if (found == 0) findings.push_back("there are no commands");
+  return findings;
+}
+
 }  // namespace plcxx::policy

@@ -20,4 +20,8 @@ Findings CheckNamedFiles(const std::string& root);
 /// browser shows), and whose name is not in the paragraph above.
 Findings CheckShownFiles(const std::string& root);
 
+/// Commands of the command line of `root`, and variables of the environment that it reads, that docs/security.md does
+/// not name: who runs plcxx for others wants all of them.
+Findings CheckSecurity(const std::string& root);
+
 }  // namespace plcxx::policy

@@ -42,6 +42,18 @@ TEST(ShownFiles, ARuleWithoutDocumentsFails) {
   EXPECT_THAT(CheckShownFiles(Fixture("generated")), ElementsAre("no document shows a file"));
 }
 
+TEST(Security, NamesEveryCommandAndEachVariable) { EXPECT_THAT(CheckSecurity(Root()), IsEmpty()); }
+
+TEST(Security, FixtureNamesOneOfTwo) {
+  EXPECT_THAT(CheckSecurity(Fixture("security")),
+              ElementsAre(HasSubstr("transpiler/command.cc:2: docs/security.md does not name 'burn'"),
+                          HasSubstr("transpiler/command.cc:4: docs/security.md does not name 'PLCXX_MOOD'")));
+}
+
+TEST(Security, ARuleWithoutCommandsFails) {
+  EXPECT_THAT(CheckSecurity(Fixture("generated")), ElementsAre("there are no commands"));
+}
+
 TEST(Private, NothingOfAMachineOrAPerson) { EXPECT_THAT(CheckPrivate(Root()), IsEmpty()); }
 
 TEST(Private, FixtureDoes) {
