@@ -134,6 +134,62 @@ TEST(TechnolParserErrors, OneForEachCause) {
   EXPECT_THAT(parsed.diagnostics.all()[0].remedy, HasSubstr("leading 0"));
 }
 
+/// What a faulty line may define is no fault where it is used.
+TEST(TechnolParserErrors, AFaultyDefinitionIsOneError) {
+  const auto errors = [](const std::string& data, const std::string& code) { return ErrorsOf(InProgram(data, code)); };
+  EXPECT_THAT(errors("EQUI CAS 50\nX: DS 1\n", "LOD CNST.CAS\nSTO X\n"), ElementsAre("2:10 TE001"));
+  EXPECT_THAT(errors("CAS EQUI 50\nX: DS 1\n", "LOD CNST.CAS\nSTO X\n"), ElementsAre("2:1 TE011"));
+  EXPECT_THAT(errors("EQU CAS,50\nX: DS 1\n", "LOD CNST.CAS\nSTO X\n"), ElementsAre("2:1 TE001"));
+  EXPECT_THAT(errors("CAS: EQU 50\nX: DS 1\n", "LOD CNST.CAS\nSTO X\n"), ElementsAre("2:6 TE001"));
+  EXPECT_THAT(errors("IN0 DFM A,B\n", "LDR A\nLA B\nWR A\n"), ElementsAre("2:1 TE001"));
+  EXPECT_THAT(errors("IN0: DFM A B,C\n", "LDR A\nLA B\nWR C\n"), ElementsAre("2:12 TE001"));
+  EXPECT_THAT(errors("IN0: DFB A,B\n", "LDR A\nLA B\nWR A\n"), ElementsAre("2:6 TE011"));
+  EXPECT_THAT(errors("X: WORD 2\n", "LOD X\nSTO X\n"), ElementsAre("2:4 TE001"));
+  EXPECT_THAT(errors("X DQ ?\n", "LOD X\nSTO X\n"), ElementsAre("2:3 TE011"));
+  EXPECT_THAT(CodeErrors("LDR A\nJL1 L\nWR Q\nL LDR A\nWR Q\n"), ElementsAre("4:1 TE011"));
+  EXPECT_THAT(CodeErrors("LDR A\nJL1 L\nWR Q\nL\nLDR A\nWR Q\n"), ElementsAre("4:1 TE011"));
+  EXPECT_THAT(CodeErrors("LDR A\nJL1 LL\nWR Q\nL\nLDR A\nWR Q\n"), ElementsAre("2:5 TE010", "4:1 TE011"));
+}
+
+/// A misspelt word of the structure begins or ends what it means.
+TEST(TechnolParserErrors, AMisspeltWordOfTheStructureIsOneError) {
+  const std::string cells = "DATA\nX: DS 1\n", rest = "MODULE_MAIN\nLOD X\nSTO X\nMODULE_MAIN_END\nSTOP\n";
+  for (const char* end : {"DATAEND", "END_DATA", "DATA_EN"}) {
+    EXPECT_THAT(ErrorsOf(cells + end + "\n" + rest), ElementsAre("3:1 TE011")) << end;
+  }
+  const std::string body = "LOD X\nSTO X\nCALL P\n", sub = "P: LOD X\nRET\nSTOP\n";
+  const auto around = [&](const std::string& begin, const std::string& end) {
+    return ErrorsOf(cells + "DATA_END\n" + begin + "\n" + body + end + "\n" + sub);
+  };
+  EXPECT_THAT(around("MODUL_MAIN", "MODULE_MAIN_END"), ElementsAre("4:1 TE011"));
+  EXPECT_THAT(around("MODULE_MAIN", "MODUL_MAIN_END"), ElementsAre("8:1 TE011"));
+  EXPECT_THAT(around("MODULE_MAIN", "END_MODULE_MAIN"), ElementsAre("8:1 TE011"));
+  EXPECT_THAT(around("MODULE_MAIN", "END"), ElementsAre("8:1 TE011"));
+  EXPECT_THAT(ErrorsOf(cells + "DATA_END\nMODULE_MAIN\n" + "LOD X\nSTO X\nMODULE_MAIN_END\nEND\n"),
+              ElementsAre("8:1 TE011"));
+}
+
+TEST(TechnolParserErrors, AMechanismWithoutItsNameIsOneError) {
+  EXPECT_THAT(CodeErrors("FL 1,M\nMECH_BEGIN\nLDR A\nEX0\nTIM -,5\nMECH_END M\nMECH_INIT M\n"),
+              ElementsAre("2:1 TE001"));
+  EXPECT_THAT(CodeErrors("FL 1,M\nMECH_BEGIN N\nLDR A\nEX0\nMECH_END M\nMECH_INIT M\n"), ElementsAre("5:1 TE061"));
+  EXPECT_THAT(CodeErrors("FL 1,M\nMECH_BEGIN M\nTIM 10\nMECH_END M\n"), ElementsAre("3:1 TE001"));
+  EXPECT_THAT(CodeErrors("FL 1,M\nMECH_BEGIN M\nLDR A\nTEX0 5,L\nL: MECH_END M\n"), ElementsAre("4:1 TE001"));
+}
+
+TEST(TechnolParserErrors, RemediesNameWhatIsMeant) {
+  const auto text = [](const std::string& code) {
+    Parsed parsed;
+    ParseInto(parsed, {InProgram(kCells, code)});
+    return parsed.diagnostics.all().empty() ? "" : parsed.diagnostics.all().front().remedy;
+  };
+  EXPECT_THAT(text("LDR A\nWR Q\nEQ CNST,10\n"), HasSubstr("CNST.10"));
+  EXPECT_THAT(text("LOD BYTE,X\nSTO X\n"), HasSubstr("BYTE.X"));
+  EXPECT_THAT(text("ESET 10.2\n"), HasSubstr("comma"));
+  EXPECT_THAT(text("LDR A\nJL1 L:\nL: WR Q\n"), HasSubstr("colon"));
+  EXPECT_THAT(CodeErrors("LOD BYT.X\nSTO X\n"), ElementsAre("1:5 TE010"));
+}
+
 TEST(TechnolParserWarnings, OfTexts) {
   Settings strict;
   strict.evidence = EvidenceRule::kStrict;

@@ -91,6 +91,15 @@ std::vector<std::string_view> Sorted(std::span<const std::string_view> words) {
   return sorted;
 }
 
+/// MODULE_MAIN_END ...
+std::vector<std::string> EndsOfModules() {
+  std::vector<std::string> ends;
+  for (const ModuleInfo& info : Modules()) {
+    if (info.kind != ModuleKind::kOther) ends.push_back(std::string(info.keyword) + "_END");
+  }
+  return ends;
+}
+
 }  // namespace
 
 std::string_view Name(Area area) { return area == Area::kNone ? "" : kAreas[static_cast<size_t>(area)].name; }
@@ -132,12 +141,23 @@ std::string_view NearMnemonic(std::string_view word) {
   static const std::vector<std::string_view> mnemonics = [] {
     std::vector<std::string_view> words;
     for (const auto& [name, op] : OpsByName()) words.push_back(name);
-    for (const std::string_view other : {"DATA", "DATA_END", "STOP", "MECH_BEGIN", "MECH_END", "MODULE_MAIN",
-                                         "MODULE_MAIN_END", "MODULE_FAST", "MODULE_FAST_END"}) {
+    for (const std::string_view other :
+         {"DATA", "DATA_END", "STOP", "MECH_BEGIN", "MECH_END", "DFM", "EQUI", "T_INCLUDE"}) {
       words.push_back(other);
     }
+    static const std::vector<std::string> ends = EndsOfModules();
+    for (const ModuleInfo& info : Modules()) {
+      if (info.kind != ModuleKind::kOther) words.push_back(info.keyword);
+    }
+    words.insert(words.end(), ends.begin(), ends.end());
     return words;
   }();
+  constexpr std::string_view kEnd = "END_";
+  if (word.starts_with(kEnd)) {
+    const std::string turned = std::string(word.substr(kEnd.size())) + "_END";
+    const auto same = std::ranges::find(mnemonics, turned);
+    if (same != mnemonics.end()) return *same;
+  }
   return support::NearestWord(word, mnemonics);
 }
 
@@ -186,6 +206,12 @@ std::string_view ForeignHint(std::string_view word) {
       {"UN", kAndNot},
       {"ANDN", kAndNot},
       {"ANI", kAndNot},
+      {"LAN", kAndNot},
+      {"LON", kOrNot},
+      {"LDRN", "a negated bit is loaded by LDR -NAME"},
+      {"FL2", "flags are written by FL always, by FL1 and FL0 where the result is 1 or 0"},
+      {"TEX", "waiting with a limit is TEX0 until the result is 1, TEX1 until it is 0"},
+      {"EX2", "waiting is EX for a pass, EX0 until the result is 1, EX1 until it is 0"},
       {"O", kOr},
       {"ON", kOrNot},
       {"ORN", kOrNot},

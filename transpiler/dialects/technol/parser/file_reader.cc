@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "transpiler/dialects/technol/parser/check_tokens.h"
-#include "transpiler/dialects/technol/parser/unknown_statement.h"
 #include "transpiler/source/find_file.h"
 
 namespace plcxx::technol {
@@ -32,6 +31,13 @@ bool NamesDefinition(std::span<const Token> words) {
   const std::string second = UpperWord(words, 1);
   return second == "EQU" || second == "STRUC" || second == "STRUCT" || second == "MACRO" ||
          (words.size() > 1 && words[1].text == "=");
+}
+
+/// The text of the words behind `words[index]`, with single blanks.
+std::string TextBehind(std::span<const Token> words, size_t index) {
+  std::string text;
+  for (const Token& word : words.subspan(index + 1)) text += (text.empty() ? "" : " ") + std::string(word.text);
+  return text;
 }
 
 }  // namespace
@@ -125,6 +131,14 @@ void FileReader::ReadWords(Statement& statement, std::span<const Token> words) {
       words.empty() ? statement.label->range : source::Range{words.front().range.begin, words.back().range.end};
   statement.upper = UpperWord(words, 0);
   ReadStatement(statement);
+  if (context_.faulty && OpByMnemonic(statement.upper) == Op::kUnknown) ExcuseNames(statement);
+}
+
+void FileReader::ExcuseNames(const Statement& statement) {
+  if (statement.label != nullptr) context_.Excuse(statement.label->text);
+  for (const Token& token : statement.words) {
+    if (token.kind == TokenKind::kWord && !IsReserved(Upper(token.text))) context_.Excuse(token.text);
+  }
 }
 
 void FileReader::ReadStatement(const Statement& statement) {
@@ -146,7 +160,26 @@ void FileReader::ReadStatement(const Statement& statement) {
   const Op op = OpByMnemonic(statement.upper);
   if (op != Op::kUnknown && !NamesDefinition(statement.words)) return units_.ReadInstruction(statement, op);
   if (ReadDefinition(statement) || ReadUse(statement)) return;
-  if (ReportUnknown(statement, context_)) KeepUnknown(statement);
+  if (ReportUnknown(statement, CurrentPlace(), context_) && !ReadMeant(statement)) KeepUnknown(statement);
+}
+
+CodePlace FileReader::CurrentPlace() const {
+  if (now_.in_data) return CodePlace::kData;
+  return CurrentUnit().valid() || code_.InSubprograms() ? CodePlace::kCode : CodePlace::kOutside;
+}
+
+bool FileReader::ReadMeant(const Statement& statement) {
+  std::string meant(NearMnemonic(statement.upper));
+  if (statement.upper == "END") {
+    meant = now_.module.valid() ? Upper(context_.program.units[now_.module].name) + "_END" : "STOP";
+  }
+  if (meant.empty() || OpByMnemonic(meant) != Op::kUnknown) return false;
+  std::vector<Token> words(statement.words.begin(), statement.words.end());
+  words.front().text = meant;
+  Statement as_meant = statement;
+  as_meant.words = words;
+  as_meant.upper = meant;
+  return ReadDirective(as_meant);
 }
 
 bool FileReader::ReadDirective(const Statement& statement) {
@@ -186,6 +219,11 @@ bool FileReader::ReadDirective(const Statement& statement) {
 
 bool FileReader::ReadDefinition(const Statement& statement) {
   const std::string second = UpperWord(statement.words, 1);
+  if (second == "EQUI") {
+    context_.Report(statement.first().range, diag::TechnolUnknownInstructionForeign, statement.first().text,
+                    "write EQUI " + std::string(statement.first().text) + "," + TextBehind(statement.words, 1));
+    return true;
+  }
   const bool assignment = statement.words.size() > 1 && statement.words[1].text == "=";
   const bool definition = assignment || second == "EQU" || second == "STRUC" || second == "STRUCT" ||
                           second == "ENDS" || second == "MACRO" || IsAllocation(second);
@@ -266,11 +304,11 @@ void FileReader::LeaveOpenDefinitions(source::FileId file) {
 void FileReader::KeepFaultyLine(Statement& statement, std::span<const Token> words) {
   if (words.size() > 2 && words[0].kind == TokenKind::kWord && words[1].text == ":") words = words.subspan(2);
   const std::string upper = UpperWord(words, 0);
-  if (structures_.IsOpen() || OpByMnemonic(upper) == Op::kUnknown) return;
   statement.words = words;
   statement.range = {words.front().range.begin, words.back().range.end};
   statement.upper = upper;
-  KeepUnknown(statement);
+  if (OpByMnemonic(upper) == Op::kUnknown) return ExcuseNames(statement);
+  if (!structures_.IsOpen()) KeepUnknown(statement);
 }
 
 void FileReader::KeepUnknown(const Statement& statement) {

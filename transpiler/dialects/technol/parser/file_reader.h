@@ -13,6 +13,7 @@
 #include "transpiler/dialects/technol/parser/statement_reader.h"
 #include "transpiler/dialects/technol/parser/structure_reader.h"
 #include "transpiler/dialects/technol/parser/unit_reader.h"
+#include "transpiler/dialects/technol/parser/unknown_statement.h"
 
 namespace plcxx::technol {
 
@@ -45,6 +46,11 @@ class FileReader : private StatementReader {
   /// A statement with a bad character: what it would load is not missed after it.
   void KeepFaultyLine(Statement& statement, std::span<const Token> words);
   void KeepUnknown(const Statement& statement);
+  /// A misspelt word of the program's structure begins or ends what it means, so that nothing of it is missed.
+  bool ReadMeant(const Statement& statement);
+  CodePlace CurrentPlace() const;
+  /// What a faulty line may define is no fault where it is used.
+  void ExcuseNames(const Statement& statement);
   /// Macros and structures that are open at the end of a file.
   void LeaveOpenDefinitions(source::FileId file);
   /// The last line of a file that is not blank.

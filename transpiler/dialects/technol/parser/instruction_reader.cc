@@ -88,7 +88,16 @@ void InstructionReader::ReadForm(Form form) {
 void InstructionReader::CheckEnd() {
   if (reader_.AtEnd()) return;
   const std::string mnemonic(mnemonic_);
-  if (reader_.IsPunctuation('.')) {
+  if (reader_.IsPunctuation('.') && Info(instruction_.op).form == Form::kError) {
+    context_.Report(reader_.Here(), diag::TechnolSurplusHint, Shown(reader_.Peek()), mnemonic,
+                    "a comma is between the number and the sub-number: " + mnemonic + " 10,1");
+  } else if (reader_.IsPunctuation(':')) {
+    context_.Report(reader_.Here(), diag::TechnolSurplusHint, Shown(reader_.Peek()), mnemonic,
+                    "a label has its colon where it is defined, not where it is named");
+  } else if (reader_.IsPunctuation('(')) {
+    context_.Report(reader_.Here(), diag::TechnolSurplusHint, Shown(reader_.Peek()), mnemonic,
+                    "an index register stands in brackets: [BX]");
+  } else if (reader_.IsPunctuation('.')) {
     context_.Report(reader_.Here(), diag::TechnolSurplusHint, Shown(reader_.Peek()), mnemonic,
                     "a bit has a name of its own in its DFM, no number; BYTE. and CNST. stand in front of a name");
   } else if (reader_.IsPunctuation(',')) {

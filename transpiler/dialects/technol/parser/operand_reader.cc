@@ -1,14 +1,14 @@
 #include "transpiler/dialects/technol/parser/operand_reader.h"
 
+#include "transpiler/support/near_words.h"
+
 namespace plcxx::technol {
 namespace {
 
-/// How the operands of instructions with a comma are written, as a remedy.
-std::string_view OperandsOf(Form form) {
-  if (form == Form::kFlag) return "0,BIT or 1,BIT";
-  if (form == Form::kDelay) return "CELL,TIME, with '-' as the cell of an automatic timer";
-  if (form == Form::kWaitLimit) return "CELL,TIME,LABEL, with '-' as the cell of an automatic timer";
-  return "and its two operands, with a comma between them";
+/// The type prefix that is spelled nearly so.
+std::string_view NearPrefix(std::string_view word) {
+  constexpr std::string_view kPrefixes[] = {"BYTE", "WORD", "DWRD", "CNST"};
+  return support::NearestWord(Upper(word), kPrefixes);
 }
 
 }  // namespace
@@ -18,10 +18,17 @@ void OperandReader::Add(Operand operand, size_t first) {
   context_.program.operands.push_back(operand);
 }
 
+std::string_view OperandReader::WrittenOperands() const {
+  const Form form = Info(instruction_.op).form;
+  if (form == Form::kFlag) return "0,BIT or 1,BIT";
+  if (form == Form::kDelay) return "CELL,TIME, with '-' as the cell of an automatic timer";
+  if (form == Form::kWaitLimit) return "CELL,TIME,LABEL, with '-' as the cell of an automatic timer";
+  return "and its two operands, with a comma between them";
+}
+
 bool OperandReader::ExpectComma() {
   if (reader_.TakePunctuation(',')) return true;
-  context_.Report(reader_.Here(), diag::TechnolCommaMissing, Shown(reader_.Peek()), mnemonic_,
-                  OperandsOf(Info(instruction_.op).form));
+  context_.Report(reader_.Here(), diag::TechnolCommaMissing, Shown(reader_.Peek()), mnemonic_, WrittenOperands());
   return false;
 }
 
@@ -41,8 +48,12 @@ SymbolId OperandReader::ReadName(std::string_view what) {
   reader_.Take();
   const SymbolId symbol = context_.names.Find(token.text);
   if (!symbol.valid()) {
+    const Token* const behind = reader_.Peek(reader_.IsPunctuation(',') ? 1 : 0);
     if (IsReserved(Upper(token.text))) {
-      context_.ReportReserved(token, reader_.AtEnd() ? std::string_view() : reader_.Peek()->text);
+      context_.ReportReserved(token, behind == nullptr ? std::string_view() : behind->text);
+    } else if (const std::string_view prefix = reader_.IsPunctuation('.') ? NearPrefix(token.text) : "";
+               !prefix.empty()) {
+      context_.Report(token.range, diag::TechnolUndefinedNear, token.text, prefix);
     } else {
       context_.ReportUndefined(token.text, token.range);
     }

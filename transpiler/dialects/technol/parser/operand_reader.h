@@ -29,6 +29,8 @@ class OperandReader {
   /// To the instruction; `first` is its first token.
   void Add(Operand operand, size_t first);
   bool ExpectComma();
+  /// How the operands of an instruction with commas are written, as a remedy.
+  std::string_view WrittenOperands() const;
   bool ExpectOperand(std::string_view what);
   /// The next word as a name that is that of a label (or anything else, reported); not valid when it is none.
   SymbolId ReadName(std::string_view what);

@@ -19,6 +19,7 @@ bool IsHexadecimal(std::string_view name) {
 }  // namespace
 
 void ParsingContext::ReportUndefined(std::string_view name, source::Range range) {
+  if (IsExcused(name)) return Forgive();
   if (faulty) return;
   if (!undefined_.insert(names.Fold(name)).second) return Forgive();
   const SymbolId symbol = names.Find(name);

@@ -49,6 +49,9 @@ class ParsingContext : private dialects::FaultReporter {
 
   /// The statement says nothing more: its cause has been reported elsewhere.
   void Forgive() { faulty = true; }
+  /// The faulty statement may be what defines `name`: that it is undefined follows from the fault.
+  void Excuse(std::string_view name) { excused_.insert(names.Fold(name)); }
+  bool IsExcused(std::string_view name) const { return excused_.contains(names.Fold(name)); }
 
   /// The reserved word has been reported as a name: its uses are no errors of their own.
   bool IsReportedAsName(std::string_view word) const { return reserved_.contains(word); }
@@ -80,7 +83,7 @@ class ParsingContext : private dialects::FaultReporter {
   std::string NearName(std::string_view name);
 
   uint32_t near_searches_ = 0;
-  std::set<std::string, std::less<>> undefined_, too_long_, reserved_;
+  std::set<std::string, std::less<>> undefined_, excused_, too_long_, reserved_;
 };
 
 /// "'X'", or "the end of the line": a token for messages.

@@ -75,7 +75,11 @@ void TargetReader::ReadMechanism() {
   const Token* token = reader_.Peek();
   if (token != nullptr && token->kind == TokenKind::kWord && !context_.names.Find(token->text).valid() &&
       !IsReserved(Upper(token->text))) {
-    context_.Report(token->range, diag::TechnolUndefinedMechanism, token->text);
+    if (context_.IsExcused(token->text)) {
+      context_.Forgive();
+    } else {
+      context_.Report(token->range, diag::TechnolUndefinedMechanism, token->text);
+    }
     return;
   }
   const SymbolId symbol = ReadName("the name of a mechanism");

@@ -8,6 +8,14 @@ void TimerReader::RefuseCell(size_t first, std::string_view what) {
   context_.Report(reader_.RangeFrom(first), diag::TechnolTimerCell, reader_.TextFrom(first), what);
 }
 
+/// Fewer commas than the instruction has: its first operand may be another one.
+bool TimerReader::LacksOperands() const {
+  const ptrdiff_t commas = Info(instruction_.op).form == Form::kWaitLimit ? 2 : 1;
+  ptrdiff_t found = 0;
+  for (size_t i = 0; reader_.Peek(i) != nullptr; ++i) found += reader_.IsPunctuation(',', i) ? 1 : 0;
+  return found < commas;
+}
+
 bool TimerReader::RefuseOther(size_t first) {
   const Token& token = *reader_.Peek();
   if (reader_.IsWord("CNST") || token.kind == TokenKind::kNumber) {
@@ -32,6 +40,10 @@ void TimerReader::ReadCell() {
     reader_.Take();
     Unit& unit = context_.program.units[instruction_.unit];
     return Add({.kind = OperandKind::kAutomaticTimer, .timer = unit.timers++}, first);
+  }
+  if (LacksOperands()) {
+    context_.Report(instruction_.range, diag::TechnolOperandMissing, mnemonic_, WrittenOperands());
+    return;
   }
   if (RefuseOther(first)) return;
   const std::optional<Operand> cell = memory_.ReadMemory(Prefixes::kTechnol);

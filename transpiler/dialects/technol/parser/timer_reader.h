@@ -20,6 +20,7 @@ class TimerReader : private OperandReader {
   void ReadTime();
 
  private:
+  bool LacksOperands() const;
   /// True: what is there is no cell (reported).
   bool RefuseOther(size_t first);
   void RefuseCell(size_t first, std::string_view what);

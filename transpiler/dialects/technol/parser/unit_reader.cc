@@ -90,6 +90,7 @@ void UnitReader::OpenMechanism(const Statement& statement) {
   if (!IsCodePlace(statement)) return;
   if (statement.words.size() < 2 || statement.words[1].kind != TokenKind::kWord) {
     context_.Report(statement.range, diag::TechnolOperandMissing, "MECH_BEGIN", "the name of the mechanism");
+    if (!now_.mechanism.valid()) BeginMechanism(statement, nullptr);
     return;
   }
   const Token& name = statement.words[1];
@@ -104,12 +105,18 @@ void UnitReader::OpenMechanism(const Statement& statement) {
     context_.Report(statement.range, diag::TechnolMechanismPlace, name.text, context_.program.units[now_.module].name);
   }
   ExpectEnd(statement, 2);
+  BeginMechanism(statement, &name);
+}
+
+/// `name`: null where it lacks, so that the mechanism's end names it.
+void UnitReader::BeginMechanism(const Statement& statement, const Token* name) {
   code_.ReadLabel(statement);
   if (!now_.module.valid()) code_.EndSubprograms(statement.range);
-  const SymbolId symbol = context_.Define(name, {.kind = SymbolKind::kMechanism, .width = 1});
+  const SymbolId symbol =
+      name == nullptr ? SymbolId() : context_.Define(*name, {.kind = SymbolKind::kMechanism, .width = 1});
   Unit unit{.kind = UnitKind::kMechanism,
             .faulty = context_.faulty,
-            .name = std::string(name.text),
+            .name = std::string(name == nullptr ? std::string_view() : name->text),
             .symbol = symbol,
             .parent = now_.module,
             .file = now_.file,
@@ -157,6 +164,7 @@ void UnitReader::CloseMechanism(const Statement& statement) {
     }
     Unit& open = context_.program.units[now_.mechanism];
     open.faulty = true;
+    if (open.name.empty()) context_.Forgive();  // what its MECH_BEGIN lacks
     context_.Report(statement.range, diag::TechnolMechEndName, name.text, open.name)
         .notes.push_back({open.open, "it was opened here"});
   }
@@ -240,6 +248,7 @@ void UnitReader::CheckWhole(source::Range last) {
   };
   if (!has_data_) report(diag::TechnolNoData);
   if (!has_stop_) report(diag::TechnolNoStop);
+  if (context_.diagnostics.HasErrors() && !context_.settings.strict) return;  // one of them may be what is missing
   for (const ModuleInfo& info : Modules()) {
     if (!info.standard || FindModule(context_.program, info.kind).valid()) continue;
     if (context_.settings.strict) {

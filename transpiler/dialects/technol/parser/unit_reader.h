@@ -35,6 +35,7 @@ class UnitReader : private StatementReader {
 
  private:
   void LeaveModule(source::Range close);
+  void BeginMechanism(const Statement& statement, const Token* name);
   void LeaveMechanism(source::Range close);
   /// A mechanism that is open lacks its end, which is reported at `place`.
   void LeaveOpenMechanism(source::Range place);

@@ -3,6 +3,9 @@
 namespace plcxx::technol {
 namespace {
 
+constexpr std::string_view kAllocationHint =
+    "memory is DB, DW, DD with its values, DS with its bytes, DFM with its bits";
+
 void ReportForeign(const Token& first, const std::string& upper, ParsingContext& context) {
   const std::string_view meant = ForeignHint(upper);
   if (meant.empty()) {
@@ -17,13 +20,24 @@ bool IsLabel(const Statement& statement) {
   return statement.label == nullptr && OpByMnemonic(UpperWord(statement.words, 1)) != Op::kUnknown;
 }
 
-void ReportUnknownWord(const Statement& statement, ParsingContext& context) {
+/// A cell with a directive that is none: DELAY DQ 5.
+bool IsCell(const Statement& statement, CodePlace place) {
+  return place == CodePlace::kData && statement.label == nullptr && !UpperWord(statement.words, 1).empty();
+}
+
+void ReportUnknownWord(const Statement& statement, CodePlace place, ParsingContext& context) {
   const Token& first = statement.first();
   const std::string_view meant = ForeignHint(statement.upper);
   const std::string_view near = NearMnemonic(statement.upper);
   if (IsLabel(statement)) {
     context.Report(first.range, diag::TechnolUnknownInstructionForeign, first.text,
                    "a label ends with ':': " + std::string(first.text) + ":");
+  } else if (meant.empty() && near.empty() && IsCell(statement, place)) {
+    const Token& directive = statement.words[1];
+    context.Report(directive.range, diag::TechnolUnknownInstructionForeign, directive.text, kAllocationHint);
+  } else if (meant.empty() && near.empty() && statement.words.size() == 1 && place == CodePlace::kCode) {
+    context.Report(first.range, diag::TechnolUnknownInstructionForeign, first.text,
+                   "a label ends with ':': " + std::string(first.text) + ":, a comment begins with ';'");
   } else if (!meant.empty()) {
     context.Report(first.range, diag::TechnolUnknownInstructionForeign, first.text, meant);
   } else if (near.empty()) {
@@ -35,7 +49,7 @@ void ReportUnknownWord(const Statement& statement, ParsingContext& context) {
 
 }  // namespace
 
-bool ReportUnknown(const Statement& statement, ParsingContext& context) {
+bool ReportUnknown(const Statement& statement, CodePlace place, ParsingContext& context) {
   const Token& first = statement.first();
   const std::string& upper = statement.upper;
   const SymbolId symbol = context.names.Find(first.text);
@@ -51,10 +65,12 @@ bool ReportUnknown(const Statement& statement, ParsingContext& context) {
     context.Forgive();
     return false;
   } else if (IsReserved(upper)) {
-    context.Report(first.range, diag::TechnolSyntax, Shown(&first), "an instruction");
+    const bool in_data = place == CodePlace::kData;
+    context.Report(first.range, diag::TechnolSyntax, Shown(&first),
+                   in_data ? "DB, DW, DD, DS or DFM" : "an instruction");
     return false;
   } else {
-    ReportUnknownWord(statement, context);
+    ReportUnknownWord(statement, place, context);
   }
   return true;
 }
