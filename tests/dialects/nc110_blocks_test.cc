@@ -66,6 +66,23 @@ TEST(Nc110Blocks, Errors) {
 }
 
 // covers: NC110-193
+std::vector<std::string> ErrorsIn(const std::string& text) {
+  Parsed parsed;
+  ParseInto(parsed, {text});
+  return parsed.Errors();
+}
+
+/// One head or end that is missing or misspelt is one error.
+TEST(Nc110Blocks, OneErrorForOneCause) {
+  EXPECT_THAT(ErrorsIn("DOF A:I0A0\nU4A0=I0A1\nDOE:\nU4A1=I0A1\nENDE\n"), ElementsAre("1:1 nc110-43"));
+  EXPECT_THAT(ErrorsIn("DOF A:I0A0\nU4A0=I0A1\nFNDF A\nDOE:\nU4A1=I0A1\nENDE\n"), ElementsAre("1:1 nc110-43"));
+  EXPECT_THAT(ErrorsIn("DOF A:I0A0\nDOE:\nU4A1=I0A1\nENDE\nENDF\n"), ElementsAre("2:1 nc110-45"));
+  EXPECT_THAT(ErrorsIn("DOF A:I0A0\nFNDF\nU4A1=I0A1\nENDF\n"), ElementsAre("2:1 nc110-1"));
+  EXPECT_THAT(ErrorsIn("D0F A: I0A0\nU4A0=I0A1\nENDF A\nDOE:\nU4A1=I0A1\nENDE\n"), ElementsAre("1:1 nc110-1"));
+  EXPECT_THAT(ErrorsIn("DOF A:I0A0\nENDF\nELSE:\nU4A1=I0A1\nENDE\n"), ElementsAre("3:1 nc110-1"));
+  EXPECT_THAT(ErrorsIn("IF I0A0:\nU4A0=I0A1\nENDF\n"), ElementsAre("1:1 nc110-1"));
+}
+
 TEST(Nc110Blocks, Nesting) {
   const auto nested = [](int levels) {
     std::string text;

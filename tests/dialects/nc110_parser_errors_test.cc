@@ -12,6 +12,25 @@ void ExpectAll(const std::vector<Wrong>& table) {
   }
 }
 
+TEST(Nc110Errors, WhatIsMeantIsTheRemedy) {
+  const auto remedy = [](const std::string& text) {
+    Parsed parsed;
+    ParseInto(parsed, {"$\n" + text});
+    return parsed.diagnostics.all().empty() ? "" : parsed.diagnostics.all().front().remedy;
+  };
+  EXPECT_THAT(remedy("U4A0=I0A0 I0A1\nU4A1=I0A2"), testing::HasSubstr("'I0A1' begins a statement here"));
+  EXPECT_THAT(remedy("U4A0=(I0A0)/I0A1\nU4A1=I0A2"), testing::HasSubstr("'I0A1' begins a statement here"));
+  EXPECT_THAT(remedy("P2\nU4A1=I0A2"), testing::HasSubstr("'P2' begins a statement: assign to it"));
+  EXPECT_THAT(remedy("U4A0==I0A0"), testing::HasSubstr("'=' alone"));
+  EXPECT_THAT(remedy("U4A0=I0A0)"), testing::HasSubstr("remove it"));
+  EXPECT_THAT(remedy("P2(5)=I0A0"), testing::HasSubstr("only the inputs of timers and counters"));
+  ExpectAll({
+      {"C30I 200=I0A0", "1:6 nc110-2", {"modulus expected"}},
+      {"T3I[20]=I0A0", "1:4 nc110-2", {"delay expected"}},
+      {"U4.0=I0A0", "1:3 nc110-10", {"character"}},
+  });
+}
+
 // covers: NC110-014 NC110-018 NC110-019 NC110-026 NC110-139 NC110-046 NC110-047 NC110-132 NC110-155 NC110-175 NC110-249
 TEST(Nc110Errors, OperandsOutOfRange) {
   ExpectAll({

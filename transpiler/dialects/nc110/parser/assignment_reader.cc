@@ -24,8 +24,23 @@ void AssignmentReader::ParseAssignment(Item& item) {
   item.detail = program_.assignments.Add(assignment).index;
 }
 
+/// An operand that nothing is assigned to: the operator in front of it may be missing.
+void AssignmentReader::ReportAssignMissing(const Token& operand, const Token& first) {
+  const std::string text = Quoted(TextOf(operand));
+  if (At(TokenKind::kColon) || At(TokenKind::kBad)) {
+    Require(TokenKind::kAssign, "'='");
+  } else if (first.first_on_line) {
+    HardFault(MissingAt(), diag::Nc110ExpectedHint, "'='", Found(), text + " begins a statement: assign to it");
+  } else {
+    HardFault(MissingAt(), diag::Nc110ExpectedHint, "'='", Found(),
+              text + " begins a statement here: put an operator in front of it, or assign to it");
+  }
+}
+
 bool AssignmentReader::ParseTarget(Assignment& assignment) {
-  const std::string text(TextOf(Peek()));
+  const Token& first = now_.lexed.tokens[now_.position - (assignment.inverted ? 1 : 0)];
+  const Token& operand = Peek();
+  const std::string text(TextOf(operand));
   assignment.target = operands_.TakeOperand();
   const source::Range range = assignment.target.range;
   const OperandKind kind = assignment.target.operand.kind;
@@ -35,7 +50,13 @@ bool AssignmentReader::ParseTarget(Assignment& assignment) {
   }
   const bool parameter = At(TokenKind::kOpenParenthesis);
   if (!parameter && !At(TokenKind::kAssign)) {
-    Require(TokenKind::kAssign, "'='");
+    const bool takes = kind == OperandKind::kTimerInput || kind == OperandKind::kCounterInput;
+    if (takes && (At(TokenKind::kNumber) || At(TokenKind::kOpenBracket)) && !Peek().first_on_line) {
+      ReportParameterMissing(kind, text);
+      now_.panic = true;
+    } else {
+      ReportAssignMissing(operand, first);
+    }
     return false;
   }
   switch (kind) {
@@ -66,7 +87,8 @@ bool AssignmentReader::ParseTarget(Assignment& assignment) {
       break;
   }
   if (parameter) {
-    Expected("'='");
+    HardFault(MissingAt(), diag::Nc110ExpectedHint, "'='", Found(),
+              "only the inputs of timers and counters have a parameter: T3I(20) = ..., C5I(10) = ...");
   }
   return !now_.panic;
 }
@@ -179,7 +201,11 @@ void AssignmentReader::ReportNoStatement() {
   const bool comment = (token.kind == TokenKind::kSlash && (second_slash || next == TokenKind::kSlash)) ||
                        (token.kind == TokenKind::kOpenParenthesis && next == TokenKind::kStar) ||
                        (token.kind == TokenKind::kSlash && next == TokenKind::kStar);
-  if (comment) {
+  const bool closing = token.kind == TokenKind::kCloseParenthesis || token.kind == TokenKind::kCloseBracket;
+  if (closing) {
+    Fault(token.range, diag::Nc110StatementExpectedHint, Found(),
+          "remove it, or open it where the expression begins that it closes");
+  } else if (comment) {
     Fault(token.range, diag::Nc110StatementExpectedHint, Found(), "a comment begins with ';' and ends with its line");
   } else {
     Fault(token.range, diag::Nc110StatementExpected, Found());

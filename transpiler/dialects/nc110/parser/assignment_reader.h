@@ -16,6 +16,8 @@ class AssignmentReader : private ItemReader {
       : ItemReader(parsing), operands_(operands), expressions_(expressions), muxes_(parsing, expressions) {}
 
   void ParseAssignment(Item& item);
+  /// The word at the cursor is no operand: reported.
+  void ReadUnknown() { operands_.TakeOperand(); }
   /// A token that begins nothing.
   void ReportNoStatement();
 
@@ -25,6 +27,8 @@ class AssignmentReader : private ItemReader {
   void ParseParameter(Assignment& assignment, std::string_view target_text);
   ExprId ParseParameterConstant(OperandKind target);
   ExprId ParseParameterWord();
+  /// `first`: of the statement, a slash or the operand itself.
+  void ReportAssignMissing(const Token& operand, const Token& first);
   void ReportParameterMissing(OperandKind target, std::string_view target_text);
 
   OperandReader& operands_;

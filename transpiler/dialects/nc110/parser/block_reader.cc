@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transpiler/support/near_words.h"
+
 namespace plcxx::nc110 {
 namespace {
 
@@ -23,21 +25,37 @@ bool CanBeName(TokenKind kind) {
 void BlockReader::ParseBlockHead(Item& item) {
   const Token& word = Take();
   CheckCase(word);
+  ParseHead(item, word.range, KindOf(word.kind));
+}
+
+bool BlockReader::IsMisspeltHead() const {
+  if (!At(TokenKind::kRun)) return false;
+  return Peek(1).kind == TokenKind::kColon || (CanBeName(Peek(1).kind) && Peek(2).kind == TokenKind::kColon);
+}
+
+void BlockReader::ParseMisspeltHead(Item& item, const Token& word) {
+  constexpr std::string_view kWords[] = {"DOF", "DOE", "ELSE"};
+  const std::string capitals = Capitals(TextOf(word));
+  const bool is_doe = capitals == "ELSE" || support::NearestWord(capitals, kWords) == "DOE";
+  ParseHead(item, word.range, is_doe ? BlockKind::kDoe : BlockKind::kDof);
+}
+
+void BlockReader::ParseHead(Item& item, source::Range word, BlockKind kind) {
   Block block;
-  block.kind = KindOf(word.kind);
-  block.keyword = word.range;
+  block.kind = kind;
+  block.keyword = word;
   block.head = ItemId(program_.items.size());
   block.level = static_cast<uint8_t>(std::min<size_t>(open_blocks_.size() + 1, 255));
   block.parent = open_blocks_.empty() ? BlockId() : open_blocks_.innermost();
   const BlockId id(program_.blocks.size());
   if (block.kind == BlockKind::kDow && !options_.enable_dow) {
-    Fault(word.range, diag::Nc110DowDisabled, "DOW");
+    Fault(word, diag::Nc110DowDisabled, "DOW");
   }
   if (block.kind == BlockKind::kDoe) {
     LinkChain(id, block);
   }
   if (open_blocks_.size() == kMaxNesting) {
-    Fault(word.range, diag::Nc110BlockNesting);
+    Fault(word, diag::Nc110BlockNesting);
   }
   chain_ = BlockId();
   chain_unsure_ = false;
@@ -48,7 +66,7 @@ void BlockReader::ParseBlockHead(Item& item) {
   if (Require(TokenKind::kColon, "':'")) {
     ParseCondition(block, colon);
   } else {
-    block.condition = ErrorExpr(word.range);
+    block.condition = ErrorExpr(word);
   }
   item.kind = ItemKind::kBlockHead;
   item.detail = program_.blocks.Add(block).index;
@@ -87,7 +105,10 @@ void BlockReader::ParseCondition(Block& block, source::Range colon) {
 
 void BlockReader::LinkChain(BlockId id, Block& block) {
   if (!chain_.valid()) {
-    if (!chain_unsure_) {
+    const bool waits = !chain_unsure_ && !now_.failed && open_blocks_.KeepLoneDoe(block.keyword);
+    if (waits) {
+      now_.failed = true;
+    } else if (!chain_unsure_) {
       Fault(block.keyword, diag::Nc110DoeWithoutDof);
     }
     return;

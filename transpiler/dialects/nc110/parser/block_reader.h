@@ -13,6 +13,10 @@ class BlockReader : private ItemReader {
       : ItemReader(parsing), open_blocks_(open_blocks), expressions_(expressions) {}
 
   void ParseBlockHead(Item& item);
+  /// A word that is none of the language, and a colon where that of a head would be.
+  bool IsMisspeltHead() const;
+  /// `word` is reported and read: what follows is a block.
+  void ParseMisspeltHead(Item& item, const Token& word);
   void ParseBlockEnd(Item& item);
   /// An item that is neither: a DOE after it continues nothing.
   void PassItem(const Item& item);
@@ -20,6 +24,8 @@ class BlockReader : private ItemReader {
   void PassStray() { chain_unsure_ = true; }
 
  private:
+  /// After its word.
+  void ParseHead(Item& item, source::Range word, BlockKind kind);
   void ParseCondition(Block& block, source::Range colon);
   /// Is nothing on the rest of the line that could be the condition?
   bool NoConditionHere() const;

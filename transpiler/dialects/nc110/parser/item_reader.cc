@@ -72,6 +72,9 @@ void ItemReader::CheckCase(const Token& token) {
 
 ExprId ItemReader::Expected(std::string_view what) {
   now_.failed = now_.failed || At(TokenKind::kBad);  // its character has been reported
+  const bool doubled =
+      At(TokenKind::kAssign) && now_.position > 0 && now_.lexed.tokens[now_.position - 1].kind == TokenKind::kAssign;
+  if (doubled) return HardFault(MissingAt(), diag::Nc110ExpectedHint, what, Found(), "assign with '=' alone");
   return HardFault(MissingAt(), diag::Nc110Expected, what, Found());
 }
 

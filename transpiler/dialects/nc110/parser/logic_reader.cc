@@ -47,7 +47,7 @@ void LogicReader::ParseItem() {
   const size_t begin = now_.position;
   Item item;
   const TokenKind kind = Peek().kind;
-  const bool block_word = IsBlockWord(kind);
+  const bool block_word = IsBlockWord(kind) || blocks_.IsMisspeltHead();
   bool stray = false;
   if (kind == TokenKind::kCycleMark) {
     ParseCycleMark(item);
@@ -55,8 +55,12 @@ void LogicReader::ParseItem() {
     messages_.ParseMessage(item);
   } else if (kind == TokenKind::kDof || kind == TokenKind::kDoe || kind == TokenKind::kDow) {
     blocks_.ParseBlockHead(item);
-  } else if (block_word) {
+  } else if (IsBlockWord(kind)) {
     blocks_.ParseBlockEnd(item);
+  } else if (blocks_.IsMisspeltHead()) {
+    const Token& word = Peek();
+    assignments_.ReadUnknown();
+    blocks_.ParseMisspeltHead(item, word);
   } else if (AtOperand() || kind == TokenKind::kSlash) {
     assignments_.ParseAssignment(item);
   } else {

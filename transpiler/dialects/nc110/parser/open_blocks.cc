@@ -1,15 +1,22 @@
 #include "transpiler/dialects/nc110/parser/open_blocks.h"
 
+#include <algorithm>
+
+#include "transpiler/support/near_words.h"
+
 namespace plcxx::nc110 {
 namespace {
 
 constexpr size_t kMaxName = 128;
 constexpr size_t kSignificantName = 6;
 
-void NoteLoneEnd(source::Range lone_end, diag::Diagnostic& report) {
+/// What shows where the end of the block may be missing.
+void NoteLoneWords(source::Range lone_end, const std::vector<source::Range>& lone_does, std::string_view end_word,
+                   diag::Diagnostic& report) {
   if (lone_end.begin != 0) {
-    report.notes.push_back({lone_end, "this is no end of a block: its letter F, E or W is missing"});
+    report.notes.push_back({lone_end, "this is no end of a block: write " + std::string(end_word)});
   }
+  if (!lone_does.empty()) report.notes.push_back({lone_does.front(), "this DOE is in front of it"});
 }
 
 }  // namespace
@@ -68,8 +75,14 @@ void OpenBlocks::Close(BlockEnd& end, const Token& word) {
   end.block = open_.back().block;
   if (const source::Range lone = open_.back().lone_end; lone.begin != 0) {
     const std::string text(sources_.Text(lone));
-    diagnostics_.Report(lone, diag::Nc110UnknownIdentifierCause, text, CauseOfUnknown(text));
+    const std::string cause = CauseOfUnknown(text);
+    if (cause.empty()) {
+      diagnostics_.Report(lone, diag::Nc110UnknownIdentifier, text);
+    } else {
+      diagnostics_.Report(lone, diag::Nc110UnknownIdentifierCause, text, cause);
+    }
   }
+  for (const source::Range doe : open_.back().lone_does) diagnostics_.Report(doe, diag::Nc110DoeWithoutDof);
   open_.pop_back();
   program_.blocks[end.block].end = ItemId(program_.items.size());
 }
@@ -102,8 +115,13 @@ void OpenBlocks::CheckEndName(const BlockEnd& end) {
 }
 
 bool OpenBlocks::IsMeantEnd(std::string_view run, source::Range range) {
+  constexpr std::string_view kEnds[] = {"ENDF", "ENDE", "ENDW"};
   const std::string capitals = Capitals(run);
-  if (now_.failed || open_.empty() || (capitals != "END" && capitals != "ENDIF")) {
+  const auto is_near = [&](std::string_view end) {
+    return capitals.size() >= end.size() && support::EditDistance(capitals, end) == 1;
+  };
+  const bool is_end = capitals == "END" || capitals == "ENDIF" || std::ranges::any_of(kEnds, is_near);
+  if (now_.failed || open_.empty() || !is_end) {
     return false;
   }
   OpenBlock& open = open_.back();
@@ -114,6 +132,14 @@ bool OpenBlocks::IsMeantEnd(std::string_view run, source::Range range) {
   return true;
 }
 
+bool OpenBlocks::KeepLoneDoe(source::Range doe) {
+  if (open_.empty() || open_.back().reported) {
+    return false;
+  }
+  open_.back().lone_does.push_back(doe);
+  return true;
+}
+
 void OpenBlocks::ReportAtMark(source::Range mark) {
   for (OpenBlock& open : open_) {
     if (!std::exchange(open.reported, true)) {
@@ -121,7 +147,7 @@ void OpenBlocks::ReportAtMark(source::Range mark) {
       diag::Diagnostic& report =
           diagnostics_.Report(block.keyword, diag::Nc110BlockCycleMark, HeadWord(block.kind), EndWord(block.kind));
       report.notes.push_back({mark, "'$' stands here"});
-      NoteLoneEnd(open.lone_end, report);
+      NoteLoneWords(open.lone_end, open.lone_does, EndWord(block.kind), report);
     }
   }
 }
@@ -130,8 +156,9 @@ void OpenBlocks::ReportAtEnd() {
   for (const OpenBlock& open : open_) {
     if (!open.reported) {
       const Block& block = program_.blocks[open.block];
-      NoteLoneEnd(open.lone_end,
-                  diagnostics_.Report(block.keyword, diag::Nc110BlockOpen, HeadWord(block.kind), EndWord(block.kind)));
+      NoteLoneWords(
+          open.lone_end, open.lone_does, EndWord(block.kind),
+          diagnostics_.Report(block.keyword, diag::Nc110BlockOpen, HeadWord(block.kind), EndWord(block.kind)));
     }
   }
 }

@@ -28,6 +28,10 @@ class OpenBlocks : private ItemReader {
   /// END alone, or ENDIF: where its block is not closed otherwise, that is one fault with the missing end.
   bool IsMeantEnd(std::string_view run, source::Range range);
 
+  /// A DOE that continues no chain, directly in the innermost open block: where that is never closed, its missing end
+  /// is the one fault. False: nothing is open.
+  bool KeepLoneDoe(source::Range doe);
+
   void ReportAtMark(source::Range mark);
   void ReportAtEnd();
   /// W304, once for each.
@@ -43,6 +47,7 @@ class OpenBlocks : private ItemReader {
     bool reported = false;   // its missing end, too deep nesting
     source::Range lone_end;  // an END without its letter, or ENDIF, which was meant to close it
     bool continued = false;  // W304 given
+    std::vector<source::Range> lone_does;
   };
   std::vector<OpenBlock> open_;
   std::map<source::Offset, std::string> mapped_names_;  // where look-alike letters were replaced

@@ -22,7 +22,7 @@ void ReportProgramWarnings(const Parsing& parsing) {
   }
   const source::Offset base = parsing.sources.Get(first->file).base;
   if (parsing.program.statement_count == 0) {
-    if (!empty_reported) {
+    if (!empty_reported && !parsing.diagnostics.HasErrors()) {
       parsing.diagnostics.Report({base, base}, diag::Nc110NoStatements);
     }
   } else if (!parsing.program.first_cycle_mark.valid()) {

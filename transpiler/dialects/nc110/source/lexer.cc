@@ -127,6 +127,10 @@ class Lexer {
     const std::string remedy = MeantBy(begin);
     SkipIllegal();
     if (text_[begin] == '%') SkipAddress();
+    if (text_[begin] == '.' && BeginOfRun(begin) < begin && !result_.tokens.empty() &&
+        result_.tokens.back().kind == TokenKind::kRun) {
+      result_.tokens.back().faulty = true;  // U4.0: one cause
+    }
     if (text_[begin] == '\'') SkipSingleQuoted();
     const source::Range range = {RangeFrom(begin).begin, RangeFrom(begin).begin + point.length};
     const std::string picture = Picture(text_.substr(begin), point);
@@ -156,11 +160,20 @@ class Lexer {
     }
   }
 
+  /// Of the run that ends in front of `at`.
+  size_t BeginOfRun(size_t at) const {
+    while (at > 0 && IsRunCharacter(text_[at - 1])) --at;
+    return at;
+  }
+
   /// What a character of other languages is in this one, as a remedy; empty: nobody knows.
   std::string MeantBy(size_t at) const {
     const auto digit = [&](size_t place) { return place < text_.size() && IsDigit(text_[place]); };
     switch (text_[at]) {
       case '.':
+        if (BeginOfRun(at) < at && !digit(BeginOfRun(at))) {
+          return "operands have no point: the letter of the package is between their numbers, U4A0";
+        }
         if (at == 0 || !digit(at - 1) || !digit(at + 1)) return {};
         return "numbers are whole: a delay counts 100 ms (T48 to T63: 10 ms), so that 3.5 s are 35";
       case '%':
