@@ -17,6 +17,28 @@ TEST(Host50Errors, Instructions) {
   EXPECT_THAT(After("启动 %I0"), ElementsAre("4:1 E101"));
 }
 
+/// What ends a part is misspelt: the part ends.
+TEST(Host50Errors, AMisspeltEndIsOneError) {
+  const std::string slow = "SLOW\nNETWORK\nLD %I0\nOUT %Q0\n";
+  for (const char* end : {"END_SLWO", "ENDSLOW", "END_SLO", "END SLOW"}) {
+    EXPECT_THAT(ErrorsOf(slow + end + "\nSUB SR1\nEND_SUB\n"), ElementsAre("5:1 E101")) << end;
+  }
+  for (const char* end : {"ENDSYMBOLS", "END_SYMBOL", "END"}) {
+    EXPECT_THAT(ErrorsOf("SYMBOLS\n%I0 START\n" + std::string(end) + "\nSLOW\nNETWORK\nLD START\nOUT %Q0\nEND_SLOW\n"),
+                ElementsAre("3:1 E101"))
+        << end;
+  }
+  EXPECT_THAT(ErrorsOf(slow + "END_SLWO\nLD %I1\nOUT %Q1\nEND_SLOW\n"), ElementsAre("5:1 E101"));
+}
+
+TEST(Host50Errors, AFaultyDefinitionIsOneError) {
+  EXPECT_THAT(ErrorsOf("SYMBOLS\nSTART %I0 \"start\"\nEND_SYMBOLS\nSLOW\nNETWORK\nLD START\nOUT %Q0\nEND_SLOW\n"),
+              ElementsAre("2:1 E103"));
+  EXPECT_THAT(ErrorsOf("SLOW\nNETWORK\nLD %I0\nCALL SR4\nEND_SLOW\nSUB 4 \"coolant\"\nEND_SUB\n"),
+              ElementsAre("6:5 E102"));
+  EXPECT_THAT(ErrorsOf("SLOW\nNETWORK 3\nNETWORK L4 pump\nEND_SLOW\n"), ElementsAre("2:9 E102", "3:12 E102"));
+}
+
 TEST(Host50Errors, NumberOfOperands) {
   EXPECT_THAT(After("OUT"), ElementsAre("4:4 E102"));
   EXPECT_THAT(After("ADDW %W1, %W2"), ElementsAre("4:14 E102"));

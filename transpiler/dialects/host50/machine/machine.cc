@@ -330,6 +330,10 @@ std::optional<Mnemonic> MnemonicByName(std::string_view word) {
 std::string_view NearMnemonic(std::string_view word) {
   std::vector<std::string_view> names;
   for (const SpellingRow& row : kSpellings) names.push_back(row.name);
+  for (const std::string_view keyword :
+       {"NETWORK", "LADDER", "SLOWDIV", "CHANNELS", "OPTION", "TITLE", "SYMBOLS", "ALARMS", "MCODES", "FAST", "SLOW"}) {
+    names.push_back(keyword);
+  }
   return support::NearestWord(word, names);
 }
 

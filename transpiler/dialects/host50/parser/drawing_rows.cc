@@ -1,6 +1,7 @@
 // Rows of a drawing to cells (specification 3.6, rules 1 to 3).
 #include <string>
 
+#include "transpiler/dialects/common/fault_reporter.h"
 #include "transpiler/dialects/host50/parser/drawing.h"
 #include "transpiler/source/characters.h"
 
@@ -20,14 +21,14 @@ char ClosingOf(char bracket) {
   }
 }
 
-class RowReader {
+class RowReader : private dialects::FaultReporter {
  public:
   RowReader(const source::File& file, source::Range row, Drawing& drawing, diag::Engine& diagnostics)
-      : text_(std::string_view(file.text).substr(row.begin - file.base, row.end - row.begin)),
+      : FaultReporter(diagnostics, failed_, &drawing.faulty),
+        text_(std::string_view(file.text).substr(row.begin - file.base, row.end - row.begin)),
         base_(row.begin),
         replaced_(!file.replaced.empty()),
-        drawing_(drawing),
-        diagnostics_(diagnostics) {}
+        drawing_(drawing) {}
 
   DrawnRow Run() {
     for (; at_ < text_.size() && text_[at_] != ';'; Step()) {
@@ -58,8 +59,7 @@ class RowReader {
   template <class... Args>
   void Fault(size_t begin, size_t end, const diag::Message<Args...>& message, std::type_identity_t<Args>... args) {
     drawing_.readable = false;
-    drawing_.faulty = true;
-    if (!std::exchange(failed_, true)) diagnostics_.Report(RangeOf(begin, end), message, args...);
+    FaultReporter::Fault(RangeOf(begin, end), message, args...);
   }
 
   void AddCell(CellKind kind) {
@@ -120,8 +120,8 @@ class RowReader {
     const size_t closing = FindClosing(ClosingOf(bracket));
     if (closing == std::string_view::npos) {
       drawing_.readable = false;
-      drawing_.faulty = strange_ = true;
-      diagnostics_.Report(RangeOf(begin, begin + 1), diag::Host50LadderBracket, std::string(1, bracket));
+      strange_ = true;
+      Report(RangeOf(begin, begin + 1), diag::Host50LadderBracket, std::string(1, bracket));
       return false;
     }
     DrawnCell cell{.kind = CellKind::kElement, .begin = column_, .range = RangeOf(begin, closing + 1)};
@@ -146,8 +146,7 @@ class RowReader {
                                  .contents = RangeOf(begin + 1, closing)});
     row_.cells.push_back(cell);
     if (++elements_ == kMostCells + 1) {
-      drawing_.faulty = true;
-      diagnostics_.Report(cell.range, diag::Host50LadderElements);
+      Report(cell.range, diag::Host50LadderElements);
     }
     return true;
   }
@@ -168,8 +167,7 @@ class RowReader {
       Fault(begin, begin + source::FirstCodePoint(text_.substr(begin)).length, diag::Host50LadderRail);
     }
     if (++drawing_.rows_with_cells == kMostRows + 1) {
-      drawing_.faulty = true;
-      diagnostics_.Report(RangeOf(0, text_.size()), diag::Host50LadderRows);
+      Report(RangeOf(0, text_.size()), diag::Host50LadderRows);
     }
   }
 
@@ -177,7 +175,6 @@ class RowReader {
   source::Offset base_;
   bool replaced_;
   Drawing& drawing_;
-  diag::Engine& diagnostics_;
   DrawnRow row_;
   size_t at_ = 0;
   uint32_t column_ = 0;

@@ -36,6 +36,7 @@ void InstructionReader::FaultOfUnknownInstruction(const Token& token) {
       {"JMP", "LBL and the target, such as LBL J3 for the network L0003"},
       {"JMPC", "LBL and the target, such as LBL J3 for the network L0003"},
       {"GOTO", "LBL and the target, such as LBL J3 for the network L0003"},
+      {"JSR", "CALL and the subroutine, such as CALL SR4"},
       {"CAL", "CALL and the subroutine, such as CALL SR4"},
       {"RET", "END_SUB, which ends a subroutine; a jump LBL leads to its last network"},
       {"CTU", "CNUD, the counter that counts up and down"},

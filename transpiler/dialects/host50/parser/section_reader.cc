@@ -44,6 +44,7 @@ SectionId SectionReader::OpenSection(PartKind part, const Line& line) {
       FaultOfMissing("the name of the subroutine");
     } else if (!number) {
       Fault(name.range, diag::Host50SubroutineNameExpected, Found());
+      if (name.kind == TokenKind::kInteger) section.number = NumberBehind("", TextOf(name)).value_or(kNoNumber);
     } else if (*number > kGreatestLabel) {
       section.number = kNoNumber;
       Fault(name.range, diag::Host50LabelRange, TextOf(name));
@@ -97,9 +98,9 @@ void SectionReader::OpenNetwork(SectionId section, const Line& line, uint32_t nu
 
 void SectionReader::ReadNetworkHead(Network& network) {
   network.keyword = Take().range;
-  if (At(TokenKind::kWord)) {
+  if (At(TokenKind::kWord) || At(TokenKind::kInteger)) {
     const Token label = Peek();
-    const auto number = NumberBehind("L", TextOf(label));
+    const auto number = label.kind == TokenKind::kWord ? NumberBehind("L", TextOf(label)) : std::nullopt;
     if (!number) {
       Fault(label.range, diag::Host50LabelExpected, Found());
     } else if (*number > kGreatestLabel) {
@@ -109,6 +110,7 @@ void SectionReader::ReadNetworkHead(Network& network) {
       network.number = *number;
     }
     Take();
+    if (At(TokenKind::kWord)) Fault(Peek().range, diag::Host50LabelExpected, Found());
   }
   if (At(TokenKind::kString)) network.comment = StringOf(Take());
   ExpectEnd();

@@ -1,5 +1,9 @@
 #include "transpiler/dialects/host50/parser/structure_reader.h"
 
+#include <algorithm>
+
+#include "transpiler/support/near_words.h"
+
 namespace plcxx::host50 {
 namespace {
 
@@ -80,6 +84,9 @@ void StructureReader::ReadTable(PartKind part) {
       open = !ReadWrongEnd(part);
     } else if (IsDirective(word)) {
       ReportDirectiveInside(part);
+    } else if (ReadMisspeltEnd(part)) {
+      line.consumed = true;
+      open = false;
     }
   }
   table.last = line_;
@@ -121,6 +128,19 @@ bool StructureReader::ReadWrongEnd(PartKind part) {
   return !EndsLater(part);
 }
 
+bool StructureReader::ReadMisspeltEnd(PartKind part) {
+  std::string word(WordOf(CurrentLine()));
+  std::ranges::transform(word, word.begin(), Upper);
+  const std::string end = "END_" + std::string(Name(part));
+  constexpr size_t kMostEdits = 2;
+  const bool is_meant = word == "END" || (word.starts_with("END") && support::EditDistance(word, end) <= kMostEdits) ||
+                        (word.size() + 1 >= end.size() && support::EditDistance(word, end) == 1);
+  if (!is_meant || EndsLater(part)) return false;
+  Begin(CurrentLine());
+  Fault(Peek().range, diag::Host50UnknownInstructionNear, TextOf(Peek()), end);
+  return true;
+}
+
 void StructureReader::ReadSection(PartKind part) {
   const source::Range opening = CurrentLine().range;
   const SectionId id = sections_.OpenSection(part, CurrentLine());
@@ -149,6 +169,10 @@ void StructureReader::ReadSection(PartKind part) {
     } else if (EqualIgnoringCase(word, kNetwork)) {
       sections_.CloseBody(line_);
       sections_.OpenNetwork(id, line, line_);
+    } else if (ReadMisspeltEnd(part)) {
+      line.consumed = true;
+      sections_.CloseBody(line_);
+      open = false;
     } else {
       sections_.TakeBodyLine(id, line, line_);
     }

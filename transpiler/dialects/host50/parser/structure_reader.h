@@ -23,6 +23,8 @@ class StructureReader : private StatementReader {
   void ReadStray();
   /// At an END word that does not close `part`: E312. True when it is taken for the one that is missing.
   bool ReadWrongEnd(PartKind part);
+  /// At a word that is nearly the END word of `part`, which is not there otherwise: E101, and the part ends.
+  bool ReadMisspeltEnd(PartKind part);
   /// Is `part` still closed before the next part begins?
   bool EndsLater(PartKind part);
   /// END_x alone on its line.

@@ -35,6 +35,10 @@ void SymbolReader::ReadSymbolRow(const Line& line) {
     Fault(token.range, diag::Host50AddressExpected, Found());
   }
   Take();
+  if (token.kind == TokenKind::kWord && At(TokenKind::kAddress)) {  // the other way round: the name is known
+    poisoned_names_.insert(std::string(TextOf(token)));
+    Take();
+  }
   if (At(TokenKind::kWord) || At(TokenKind::kQuotedSymbol)) {
     const Token name = Take();
     const std::string_view text = TextOf(name);

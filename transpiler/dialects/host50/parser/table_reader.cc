@@ -1,6 +1,9 @@
 #include "transpiler/dialects/host50/parser/table_reader.h"
 
 #include <algorithm>
+#include <vector>
+
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::host50 {
 namespace {
@@ -66,7 +69,16 @@ void TableReader::ReadTitleRow(const Line& line) {
   const auto row =
       std::ranges::find_if(keys, [&](const TitleKeyInfo& key) { return EqualIgnoringCase(key.name, TextOf(word)); });
   if (word.kind != TokenKind::kWord || row == keys.end()) {
-    Fault(word.range, diag::Host50UnknownInstruction, TextOf(word));
+    std::string capitals(TextOf(word));
+    std::ranges::transform(capitals, capitals.begin(), Upper);
+    std::vector<std::string_view> names;
+    for (const TitleKeyInfo& key : keys) names.push_back(key.name);
+    const std::string_view near = support::NearestWord(capitals, names);
+    if (near.empty()) {
+      Fault(word.range, diag::Host50UnknownInstruction, TextOf(word));
+    } else {
+      Fault(word.range, diag::Host50UnknownInstructionNear, TextOf(word), near);
+    }
     return;
   }
   if (!title_keys_.insert(row->key).second) Fault(word.range, diag::Host50DirectiveTwice, row->name);
