@@ -28,6 +28,28 @@ TEST(ProstepErrors, OutsideAModule) {
   EXPECT_THAT(ErrorsOf("two words: x\n"), ElementsAre("1:1 E05"));
 }
 
+TEST(ProstepErrors, OneMessageForOneCause) {
+  EXPECT_THAT(ErrorsOf(":MOD PM 9\n:NOP\n:BE\n:MOD PM 20\n:NOP\n:END PM 20\n"), ElementsAre("3:2 E08"));
+  EXPECT_THAT(ErrorsOf(":MOD PM 9\n:NOP\n:END PM 9\n:MOD PM 9\n:NOP\n:END PM 10\n"), ElementsAre("4:2 E20"));
+  Parsed parsed;
+  ParseInto(parsed, {InModule(":A I 0.0\n:SR T 1 K 2010D\n:= O 0.0\n:A I 0.0\n:SR T 2 K 2010D\n: K 2010D\n:= O 0.0")});
+  EXPECT_THAT(parsed.Errors(), ElementsAre("3:2 E09"));
+  EXPECT_THAT(parsed.Warnings(), testing::Contains("6:9 W03"));
+  EXPECT_THAT(parsed.Warnings(), testing::Not(testing::Contains("3:9 W03")));
+}
+
+TEST(ProstepErrors, WhatIsMeantIsTheRemedy) {
+  const auto remedy = [](std::string_view lines) {
+    Parsed parsed;
+    ParseInto(parsed, {InModule(lines)});
+    return parsed.diagnostics.all().empty() ? "" : parsed.diagnostics.all().front().remedy;
+  };
+  EXPECT_THAT(remedy(":OI 20.1"), HasSubstr("O I"));
+  EXPECT_THAT(remedy(":JCKROK"), HasSubstr("JC KROK"));
+  EXPECT_THAT(remedy(":FM 0"), HasSubstr("JU FM"));
+  EXPECT_THAT(remedy(":A I 0.0\n:SR T 1\n: K 2010\n:= O 0.0"), HasSubstr("K 2010D"));
+}
+
 /// One MOD that is missing is one error (section 10), up to the next MOD or END.
 TEST(ProstepErrors, AMissingModIsOneCause) {
   EXPECT_THAT(ErrorsOf(":A I 0.0\n:\nX:\n:BLAD\n: K 5\n:= O 0.0\n:END PM 9\n"), ElementsAre("1:2 E03"));

@@ -57,6 +57,18 @@ uint32_t MostLines(std::string_view mnemonic) {
   return most;
 }
 
+/// For a mnemonic without the blank behind it, and for a call without its jump.
+std::string JoinedHint(std::string_view word) {
+  if (word == "PM" || word == "FM") return "a module is called by JU, with a condition by JC: JU " + std::string(word);
+  for (size_t length = word.empty() ? 0 : word.size() - 1; length > 0; --length) {
+    const std::string_view mnemonic = word.substr(0, length), rest = word.substr(length);
+    const bool jump = mnemonic == "JU" || mnemonic == "JC";
+    if (!jump && (!MayHaveOperand(mnemonic) || ClassByName(rest) == OperandClass::kNone)) continue;
+    return "a blank is behind the mnemonic: " + std::string(mnemonic) + " " + std::string(rest);
+  }
+  return {};
+}
+
 /// For a number that has neither a class nor K in front of it.
 std::string BareNumberHint(std::string_view mnemonic, std::string_view number) {
   for (const InstructionInfo& info : Instructions()) {
@@ -119,7 +131,10 @@ void InstructionReader::UnknownInstruction(const Statement& statement, Instructi
   now_.waiting = {.most = kAnyNumber, .reported = true};
   if (token.faulty) return;
   const std::string_view text = TextOf(token);
-  const std::string_view hint = ForeignHint(MnemonicOf(text));
+  const std::string mnemonic = MnemonicOf(text);
+  now_.meant_end |= mnemonic == "BE";
+  std::string hint(ForeignHint(mnemonic));
+  if (hint.empty()) hint = JoinedHint(mnemonic);
   if (hint.empty()) {
     diagnostics_.Report(token.range, diag::ProstepUnknownInstruction, text);
   } else {
@@ -240,6 +255,7 @@ void InstructionReader::WarnOfComment(const Statement& statement, bool without_o
       !word.empty() && MostLines(word) == 0 && LooksLikeOperand(text.substr(word_end)) &&
       std::ranges::any_of(Instructions(), [&](const InstructionInfo& info) { return info.mnemonic == word; });
   if (text.starts_with(':') || LooksLikeOperand(text) || instruction_like) {
+    if (now_.waiting.found < now_.waiting.fewest) return now_.waiting.operand_like.push_back(statement.comment.range);
     diagnostics_.Report(statement.comment.range, diag::ProstepCommentLikeInstruction, text);
   }
 }

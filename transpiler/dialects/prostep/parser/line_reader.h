@@ -27,6 +27,7 @@ struct Waiting {
   InstructionId instruction;
   uint32_t fewest = 0, most = 0, found = 0;
   bool reported = false;  // it lacks operand lines, or its operands are unknown: nothing more is said
+  std::vector<source::Range> operand_like{};  // comments that are what it lacks, where it lacks operand lines
 };
 
 /// Where the parser is.
@@ -34,6 +35,7 @@ struct Reading {
   source::FileId file;
   ModuleId module;  // open; not valid: outside
   bool seen_module = false;
+  bool meant_end = false;  // the end of a block in STEP 5 is reported: the module may end there
   Waiting waiting{};
 };
 

@@ -41,7 +41,7 @@ std::optional<uint32_t> ModuleReader::ClosedNumber(const Statement& statement) {
 
 void ModuleReader::OpenModule(const Statement& statement) {
   const Span comments = comments_.TakeComments();
-  outside_ = false;
+  outside_ = twice_ = false;
   const Token* label = labels_.TheLabel(statement);
   if (label != nullptr) diagnostics_.Report(label->range, diag::ProstepLabelOnModule, TextOf(*label));
   const auto number = ModuleNumber(statement);
@@ -49,7 +49,7 @@ void ModuleReader::OpenModule(const Statement& statement) {
   bool reported = label != nullptr || !number;
   if (now_.module.valid()) {
     const Module& outer = program_.modules[now_.module];
-    if (number) {
+    if (number && !now_.meant_end) {
       diagnostics_
           .Report(statement.range, diag::ProstepModuleInside, ModuleName(*number),
                   outer.faulty ? "a module" : ModuleName(outer.number))
@@ -82,6 +82,7 @@ void ModuleReader::OpenModule(const Statement& statement) {
   } else if (!reported) {
     diagnostics_.Report(statement.range, diag::ProstepModuleTwice, ModuleName(*number))
         .notes.push_back({program_.modules[first].open, "first defined here"});
+    twice_ = true;
   }
 }
 
@@ -107,7 +108,7 @@ void ModuleReader::CloseModule(const Statement& statement) {
     if (abandoned) {
       abandoned_.erase(*number);
       abandoned_.insert(module.number);
-    } else {
+    } else if (!twice_) {  // else its MOD has the wrong number
       diagnostics_.Report(statement.range, diag::ProstepEndMismatch, ModuleName(*number), ModuleName(module.number))
           .notes.push_back({module.open, "the open module begins here"});
     }
@@ -122,6 +123,7 @@ void ModuleReader::CloseModule(const Statement& statement) {
 void ModuleReader::LeaveModule(source::Range close) {
   Module& module = program_.modules[now_.module];
   module.close = close;
+  now_.meant_end = false;
   module.instructions.count = program_.instructions.size() - module.instructions.first;
   module.labels.count = program_.labels.size() - module.labels.first;
   labels_.EndModule(module);

@@ -45,6 +45,7 @@ class ModuleReader : private LineReader {
   BracketChecker& brackets_;
   std::string faulty_module_;  // the operand of a MOD whose number is wrong
   bool forgiving_ = false;
+  bool twice_ = false;            // reported: what MOD names is another module's number
   bool outside_ = false;          // reported: until the next MOD or END
   std::set<uint32_t> abandoned_;  // numbers of modules that an inner MOD closed and that wait for their END
 };

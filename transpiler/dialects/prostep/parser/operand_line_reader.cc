@@ -1,6 +1,7 @@
 #include "transpiler/dialects/prostep/parser/operand_line_reader.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace plcxx::prostep {
 namespace {
@@ -82,7 +83,8 @@ void OperandLineReader::CheckBcd(const Operand& operand, BcdUse use) {
   const std::string name = "K " + std::string(TrimBlanks(text.substr(1)));
   if (!IsBcd(operand.value, use)) {
     const bool time = use == BcdUse::kTime;
-    const bool digits = operand.form == NumberForm::kDecimal && operand.value <= 999 && !time;
+    constexpr uint32_t kMostPreset = 999, kMostTime = 3999;
+    const bool digits = operand.form == NumberForm::kDecimal && operand.value <= (time ? kMostTime : kMostPreset);
     const std::string with_d = "its bits are no decimal digits: write the digits with D, " + name + "D";
     diagnostics_.Report(operand.range, diag::ProstepBcdRange, name, time ? "a time" : "a preset",
                         digits ? std::string_view(with_d)
@@ -195,8 +197,12 @@ bool OperandLineReader::IsWrongOperand(const Statement& statement) {
 }
 
 void OperandLineReader::FinishWaiting() {
-  const Waiting waiting = now_.waiting;
-  now_.waiting = {};
+  const Waiting waiting = std::exchange(now_.waiting, {});
+  if (waiting.found >= waiting.fewest) {
+    for (const source::Range comment : waiting.operand_like) {
+      diagnostics_.Report(comment, diag::ProstepCommentLikeInstruction, sources_.Text(comment));
+    }
+  }
   if (waiting.reported || waiting.most == 0) return;
   Instruction& instruction = program_.instructions[waiting.instruction];
   if (waiting.found < waiting.fewest) {
