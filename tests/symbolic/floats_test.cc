@@ -203,6 +203,11 @@ TEST(FloatForms, OfOneMeaningAreOneTerm) {
   EXPECT_EQ(terms::FloatSub(terms, x, number(1.0)), terms::FloatAdd(terms, x, number(-1.0)));
   EXPECT_EQ(terms::FloatDiv(terms, x, number(4.0)), terms::FloatMul(terms, x, number(0.25)));
   EXPECT_NE(terms::FloatDiv(terms, x, number(3.0)), terms::FloatMul(terms, x, number(1.0 / 3.0)));
+  EXPECT_EQ(terms::FloatMul(terms, number(2.0), x), terms::FloatAdd(terms, x, x));
+  EXPECT_EQ(terms::FloatDiv(terms, x, number(-0.5)), terms::FloatNegate(terms, terms::FloatAdd(terms, x, x)));
+  EXPECT_EQ(terms::FloatMul(terms, terms::FloatNegate(terms, x), number(2.0)),
+            terms::FloatSub(terms, terms::FloatNegate(terms, x), x));
+  EXPECT_NE(terms::FloatMul(terms, x, number(3.0)), terms::FloatAdd(terms, terms::FloatAdd(terms, x, x), x));
   EXPECT_EQ(terms::FloatNegate(terms, terms::FloatNegate(terms, x)), x);
   EXPECT_EQ(terms::FloatFromSigned(terms, terms.Sext(n, 64), 64), terms::FloatFromSigned(terms, n, 64));
   EXPECT_EQ(terms::FloatFromUnsigned(terms, n, 64), terms::FloatFromSigned(terms, terms.Zext(n, 64), 64));

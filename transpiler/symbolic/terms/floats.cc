@@ -161,6 +161,12 @@ TermId WithoutSign(Terms& terms, Format format, TermId a, bool& negative) {
   return a;
 }
 
+bool TakeSign(Terms& terms, Format format, TermId& a) {
+  bool negative = false;
+  a = WithoutSign(terms, format, a, negative);
+  return negative;
+}
+
 /// Of a product or a quotient: compilers move a sign from one operand to the other, and to the result. Whether the
 /// result of what `a` and `b` are then has to be negated.
 bool TakeSigns(Terms& terms, Format format, TermId& a, TermId& b) {
@@ -191,6 +197,7 @@ TermId FloatAdd(Terms& terms, TermId a, TermId b) {
   // Only the negative zero changes no number.
   if (IsConstOf(terms, a, format.sign())) return b;
   if (IsConstOf(terms, b, format.sign())) return a;
+  if (a == b && TakeSign(terms, format, a)) return FloatNegate(terms, FloatAdd(terms, a, a));
   return ApplyCommutative(terms, "add", kEvaluations, a, b);
 }
 
@@ -199,9 +206,11 @@ TermId FloatSub(Terms& terms, TermId a, TermId b) { return FloatAdd(terms, a, Fl
 TermId FloatMul(Terms& terms, TermId a, TermId b) {
   constexpr Evaluations kEvaluations = OfBinary<[](auto x, auto y) { return x * y; }>();
   const Format format = FormatOf(terms, a);
-  const uint64_t one = format.PowerOfTwo(0);
+  const uint64_t one = format.PowerOfTwo(0), two = format.PowerOfTwo(1);
   for (const auto& [constant, other] : {std::pair(a, b), std::pair(b, a)}) {
     if (IsConstOf(terms, constant, one)) return other;
+    // A number and itself, exact as the product is, and what compilers make of it.
+    if (IsConstOf(terms, constant, two)) return FloatAdd(terms, other, other);
   }
   if (TakeSigns(terms, format, a, b)) return FloatNegate(terms, FloatMul(terms, a, b));
   return ApplyCommutative(terms, "mul", kEvaluations, a, b);
