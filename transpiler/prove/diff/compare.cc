@@ -38,7 +38,11 @@ void AddMatched(Comparison& comparison) {
         PowerOnValue(comparison.old_version, old_cell) == PowerOnValue(comparison.new_version, new_cell);
     if (!is_used(comparison.old_uses, old_cell) && !is_used(comparison.new_uses, new_cell) && begins_alike) continue;
     // A flag that one version alone uses is how it does something, not what it does: it may be anything in the proof.
-    if (one_sided.Has(old_cell)) continue;
+    // What holds of it in the version that does not use it says nothing about the other one: two variables.
+    if (one_sided.Has(old_cell)) {
+      comparison.pairing.Separate(old_cell);
+      continue;
+    }
     comparison.result_of_old[i] = static_cast<uint32_t>(comparison.results.size());
     comparison.results.push_back({.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
     const bool written = comparison.old_uses.writes[i] || comparison.new_uses.writes[new_cell.index];
