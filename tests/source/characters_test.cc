@@ -16,6 +16,9 @@ TEST(Characters, CodePoints) {
   EXPECT_EQ(FirstCodePoint("\xFFxy").length, 1u);
   EXPECT_EQ(CountCodePoints("a泵\xFF"), 3u);
   EXPECT_EQ(CountCodePoints(""), 0u);
+  EXPECT_EQ(CodePointName(U'\\'), "U+005C");
+  EXPECT_EQ(CodePointName(U'č'), "U+010D");
+  EXPECT_EQ(CodePointName(U'😀'), "U+1F600");
 }
 
 TEST(Characters, Categories) {

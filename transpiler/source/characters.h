@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "transpiler/support/hex.h"
+
 namespace plcxx::source {
 
 struct CodePoint {
@@ -16,6 +18,8 @@ struct CodePoint {
 /// The first character of `text`, which is not empty; a byte that is not UTF-8 stands for itself.
 CodePoint FirstCodePoint(std::string_view text);
 size_t CountCodePoints(std::string_view text);
+/// "U+0410": as messages name a character that may have no picture.
+inline std::string CodePointName(char32_t c) { return "U+" + support::HexDigits(c, 4, support::HexLetters::kCapital); }
 
 /// Unicode category L.
 bool IsLetter(char32_t c);

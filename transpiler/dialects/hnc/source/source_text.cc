@@ -41,12 +41,6 @@ char AsciiOfFullWidth(char32_t c) {
   }
 }
 
-std::string CodePointName(char32_t c) {
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "U+%04X", static_cast<unsigned>(c));
-  return text.data();
-}
-
 /// What a comment says: without its marks, and without blanks and stars that only draw a frame.
 std::string CommentText(std::string_view comment) {
   const bool block = comment.starts_with("/*");
@@ -231,7 +225,7 @@ void Rewriter::BlankedBackslash() {
   while (IsLineBlank(Peek(1 + blanks))) ++blanks;
   const source::Range range = Here(1);
   out_.findings
-      .Report(range, diag::HncCharacterForeign, "\\", CodePointName('\\'),
+      .Report(range, diag::HncCharacterForeign, "\\", source::CodePointName('\\'),
               "a line goes on only where the backslash is its last character: delete the blanks behind it")
       .fixits.push_back({{range.end, range.end + static_cast<source::Offset>(blanks)}, ""});
   Copy(1);
@@ -254,7 +248,7 @@ void Rewriter::ForeignCharacter() {
   } else if (!goes_on) {
     const bool is_control = character.value < ' ' || character.value == 0x7F;
     out_.findings.Report(range, diag::HncCharacter, is_control ? std::string_view("?") : std::string_view(shown),
-                         CodePointName(character.value));
+                         source::CodePointName(character.value));
   }
   at_ += character.length;
   if (ascii == 0) foreign_end_ = at_;

@@ -1,7 +1,6 @@
 #include "transpiler/dialects/host50/parser/statement_reader.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "transpiler/source/characters.h"
 
@@ -17,12 +16,6 @@ std::string Quoted(std::string_view text) {
     length += source::FirstCodePoint(text.substr(length)).length;
   }
   return "'" + std::string(text) + "'";
-}
-
-std::string CodePointName(char32_t value) {
-  char buffer[16];
-  std::snprintf(buffer, sizeof buffer, "U+%04X", static_cast<unsigned>(value));
-  return buffer;
 }
 
 }  // namespace
@@ -109,19 +102,19 @@ void StatementReader::FaultOfBadCharacter(const Token& token) {
   const bool behind_digit =
       token.range.begin > now_.source->base && IsDigit(now_.source->text[token.range.begin - now_.source->base - 1]);
   if (narrow != '\0') {
-    Fault(token.range, diag::Host50WideCharacter, picture, CodePointName(point),
+    Fault(token.range, diag::Host50WideCharacter, picture, source::CodePointName(point),
           narrow != ' ' ? "'" + std::string(1, narrow) + "'" : std::string("blank"))
         .fixits.push_back({token.range, std::string(1, narrow)});
   } else if (point == '%' && behind_letter) {
     Fault(token.range, diag::Host50PercentBehindLetter).fixits.push_back({{token.range.begin, token.range.begin}, " "});
   } else if (point == '#' && behind_digit) {
-    Fault(token.range, diag::Host50BadCharacterHint, picture, CodePointName(point),
+    Fault(token.range, diag::Host50BadCharacterHint, picture, source::CodePointName(point),
           "a hexadecimal number begins with '$': 16#FF is $FF");
   } else if (point == '!' || point == '~') {
-    Fault(token.range, diag::Host50BadCharacterHint, picture, CodePointName(point),
+    Fault(token.range, diag::Host50BadCharacterHint, picture, source::CodePointName(point),
           "an inverted contact is LDI, ANDI or ORI; 'not equal' is '<>'");
   } else {
-    Fault(token.range, diag::Host50BadCharacter, picture, CodePointName(point));
+    Fault(token.range, diag::Host50BadCharacter, picture, source::CodePointName(point));
   }
 }
 

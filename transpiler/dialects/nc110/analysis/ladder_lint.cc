@@ -119,7 +119,7 @@ class LadderLint {
       return;
     }
     for (uint32_t i = 0; i < item.comment_count && facts.problem == nullptr; ++i) {
-      if (CountCodePoints(sources_.Text(program_.comments[item.first_comment + i].range)) > kMaxComment + 1) {
+      if (source::CountCodePoints(sources_.Text(program_.comments[item.first_comment + i].range)) > kMaxComment + 1) {
         facts.problem = "a comment is longer than 60 characters";
       }
     }

@@ -73,7 +73,7 @@ void HelpReader::Head(std::string_view line) {
 void HelpReader::Text(std::string_view line) {
   if (lines_++ > 0) entry_.text.push_back('\n');
   entry_.text += line;
-  longest_ = std::max(longest_, CountCodePoints(line));
+  longest_ = std::max(longest_, source::CountCodePoints(line));
 }
 
 void HelpReader::End() {

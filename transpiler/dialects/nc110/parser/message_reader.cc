@@ -36,7 +36,7 @@ void MessageReader::ParseMessage(Item& item) {
       message.text = {text.range.begin + 1, text.range.end - 1};
     }
   }
-  const size_t length = CountCodePoints(Plain(message.text));
+  const size_t length = source::CountCodePoints(Plain(message.text));
   if (length == 0) {
     Fault(BehindPrevious(), diag::Nc110MsgTextMissing);
   } else if (length > kMaxMessageText) {

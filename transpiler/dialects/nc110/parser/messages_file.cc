@@ -53,7 +53,7 @@ TextTable ReadTextFile(const source::SourceManager& sources, source::FileId file
       colour = *written;
       line.remove_prefix(hash + 1);
     }
-    const auto length = static_cast<uint32_t>(CountCodePoints(line));
+    const auto length = static_cast<uint32_t>(source::CountCodePoints(line));
     if (length > longest) {
       diagnostics.Report(range, diag::Nc110MessageTooLong, length, longest);
       continue;

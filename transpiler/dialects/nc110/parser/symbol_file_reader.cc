@@ -24,7 +24,7 @@ struct LineReader {
   }
   source::Range Here() const {
     const auto place = begin + static_cast<source::Offset>(at);
-    return {place, place + (at < line.size() ? FirstCodePoint(line.substr(at)).length : 0)};
+    return {place, place + (at < line.size() ? source::FirstCodePoint(line.substr(at)).length : 0)};
   }
   template <class Accepts>
   std::string_view Word(Accepts accepts) {

@@ -123,7 +123,7 @@ class Lexer {
 
   void LexIllegal() {
     const size_t begin = at_;
-    const CodePoint point = FirstCodePoint(text_.substr(at_));
+    const source::CodePoint point = source::FirstCodePoint(text_.substr(at_));
     const std::string remedy = MeantBy(begin);
     SkipIllegal();
     if (text_[begin] == '%') SkipAddress();
@@ -135,9 +135,9 @@ class Lexer {
     const source::Range range = {RangeFrom(begin).begin, RangeFrom(begin).begin + point.length};
     const std::string picture = Picture(text_.substr(begin), point);
     if (remedy.empty()) {
-      diagnostics_.Report(range, diag::Nc110UnknownCharacter, picture, CodePointName(point.value));
+      diagnostics_.Report(range, diag::Nc110UnknownCharacter, picture, source::CodePointName(point.value));
     } else {
-      diagnostics_.Report(range, diag::Nc110UnknownCharacterHint, picture, CodePointName(point.value), remedy);
+      diagnostics_.Report(range, diag::Nc110UnknownCharacterHint, picture, source::CodePointName(point.value), remedy);
     }
     Add(TokenKind::kBad, begin).faulty = true;
   }
@@ -253,7 +253,7 @@ class Lexer {
     if (letter >= text_.size()) {
       return TokenKind::kEnd;
     }
-    const CodePoint point = FirstCodePoint(text_.substr(letter));
+    const source::CodePoint point = source::FirstCodePoint(text_.substr(letter));
     const size_t behind = letter + point.length;
     if (behind < text_.size() && (IsRunCharacter(text_[behind]) || !IsAscii(text_[behind]))) {
       return TokenKind::kEnd;
@@ -354,10 +354,10 @@ class Lexer {
     }
     for (size_t i = 0; i < literal.size(); ++i) {
       if (literal[i] < 0x20 || literal[i] > 0x7E) {
-        const CodePoint point = FirstCodePoint(literal.substr(i));
+        const source::CodePoint point = source::FirstCodePoint(literal.substr(i));
         const source::Offset place = base_ + static_cast<source::Offset>(begin + 1 + i);
         diagnostics_.Report({place, place + point.length}, diag::Nc110AsciiCharacter, Picture(literal.substr(i), point),
-                            CodePointName(point.value));
+                            source::CodePointName(point.value));
         return true;
       }
     }

@@ -13,6 +13,7 @@
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/dialects/nc110/source/tokens.h"
 #include "transpiler/dialects/nc110/syntax/syntax.h"
+#include "transpiler/source/characters.h"
 #include "transpiler/source/source.h"
 
 namespace plcxx::nc110 {
@@ -54,19 +55,10 @@ class HomoglyphReader {
   diag::Engine& diagnostics_;
 };
 
-struct CodePoint {
-  char32_t value = 0;
-  uint32_t length = 1;  // in bytes
-};
-/// `text` is not empty.
-CodePoint FirstCodePoint(std::string_view text);
 /// The Latin letter, or the 3, that a Cyrillic one looks like; 0: none.
 char LatinFor(char32_t letter);
 /// "'%'"; without a picture for control characters.
-std::string Picture(std::string_view text, CodePoint point);
-/// "U+0410".
-std::string CodePointName(char32_t value);
-size_t CountCodePoints(std::string_view text);
+std::string Picture(std::string_view text, source::CodePoint point);
 /// Letters, digits and @ # . ' ? (specification 2.6).
 bool IsNameCharacter(char c);
 

@@ -1,6 +1,5 @@
 // Characters above 7EH: look-alike letters, pictures and names of code points.
 #include <array>
-#include <cstdio>
 
 #include "transpiler/dialects/nc110/source/lexer.h"
 
@@ -33,37 +32,9 @@ char LatinFor(char32_t letter) {
   return '\0';
 }
 
-CodePoint FirstCodePoint(std::string_view text) {
-  const auto byte = [&](size_t i) { return static_cast<uint32_t>(static_cast<unsigned char>(text[i])); };
-  const uint32_t lead = byte(0);
-  const uint32_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-  if (length == 1 || lead < 0xC0 || text.size() < length) {
-    return {lead < 0x80 ? static_cast<char32_t>(lead) : U'\uFFFD', 1};
-  }
-  uint32_t value = lead & (0x7Fu >> length);
-  for (uint32_t i = 1; i < length; ++i) {
-    value = value << 6 | (byte(i) & 0x3F);
-  }
-  return {static_cast<char32_t>(value), length};
-}
-
-std::string Picture(std::string_view text, CodePoint point) {
+std::string Picture(std::string_view text, source::CodePoint point) {
   const bool control = point.value < 0x20 || (point.value >= 0x7F && point.value < 0xA0);
   return control ? "without a picture" : "'" + std::string(text.substr(0, point.length)) + "'";
-}
-
-std::string CodePointName(char32_t value) {
-  char buffer[16];
-  std::snprintf(buffer, sizeof buffer, "U+%04X", static_cast<unsigned>(value));
-  return buffer;
-}
-
-size_t CountCodePoints(std::string_view text) {
-  size_t count = 0;
-  for (const char c : text) {
-    count += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }
-  return count;
 }
 
 bool IsNameCharacter(char c) {
@@ -80,14 +51,14 @@ HomoglyphReader::Outcome HomoglyphReader::Read(std::string_view text, source::Of
   std::vector<Found> found;
   mapped.clear();
   for (uint32_t at = 0; at < text.size();) {
-    const CodePoint point = FirstCodePoint(text.substr(at));
+    const source::CodePoint point = source::FirstCodePoint(text.substr(at));
     const source::Range range = {begin + at, begin + at + point.length};
     char latin = static_cast<char>(point.value);
     if (point.value >= 0x80) {
       latin = LatinFor(point.value);
       if (latin == '\0') {
         diagnostics_.Report(range, diag::Nc110UnknownCharacter, Picture(text.substr(at), point),
-                            CodePointName(point.value));
+                            source::CodePointName(point.value));
         mapped.clear();
         return Outcome::kReported;
       }
@@ -105,8 +76,8 @@ HomoglyphReader::Outcome HomoglyphReader::Read(std::string_view text, source::Of
   }
   if (rejected != nullptr) {
     diag::Diagnostic& report =
-        diagnostics_.Report(rejected->range, diag::Nc110Homoglyph, rejected->letter, CodePointName(rejected->value),
-                            std::string_view(&rejected->latin, 1));
+        diagnostics_.Report(rejected->range, diag::Nc110Homoglyph, rejected->letter,
+                            source::CodePointName(rejected->value), std::string_view(&rejected->latin, 1));
     for (const Found& letter : found) {
       report.fixits.push_back({letter.range, std::string(1, letter.latin)});
     }
@@ -115,7 +86,7 @@ HomoglyphReader::Outcome HomoglyphReader::Read(std::string_view text, source::Of
   if (!warned_) {
     warned_ = true;
     const Found& first = found.front();
-    diagnostics_.Report(first.range, diag::Nc110HomoglyphsMapped, first.letter, CodePointName(first.value),
+    diagnostics_.Report(first.range, diag::Nc110HomoglyphsMapped, first.letter, source::CodePointName(first.value),
                         std::string_view(&first.latin, 1));
   }
   return Outcome::kMapped;

@@ -235,11 +235,12 @@ void DeclarationReader::DeclareText(std::string_view word, const std::vector<Tok
     return;
   }
   for (size_t at = 0; at < text.size();) {
-    const CodePoint point = FirstCodePoint(text.substr(at));
+    const source::CodePoint point = source::FirstCodePoint(text.substr(at));
     if (!IsInMazovia(point.value)) {
       const source::Offset begin = tokens[2].range.begin + static_cast<source::Offset>(at);
-      diagnostics_.Report({begin, begin + point.length}, diag::ProstepNotInMazovia, name,
-                          "'" + std::string(text.substr(at, point.length)) + "' (" + CodePointName(point.value) + ")");
+      diagnostics_.Report(
+          {begin, begin + point.length}, diag::ProstepNotInMazovia, name,
+          "'" + std::string(text.substr(at, point.length)) + "' (" + source::CodePointName(point.value) + ")");
       break;
     }
     at += point.length;

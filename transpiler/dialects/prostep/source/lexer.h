@@ -13,6 +13,7 @@
 
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/dialects/prostep/syntax/syntax.h"
+#include "transpiler/source/characters.h"
 #include "transpiler/source/source.h"
 
 namespace plcxx::prostep {
@@ -72,14 +73,5 @@ bool IsMarked(std::string_view comment);
 bool IsOperandLike(std::string_view rest);
 /// As above, with letters that name an operand class.
 bool LooksLikeOperand(std::string_view rest);
-
-struct CodePoint {
-  char32_t value = 0;
-  uint32_t length = 1;  // in bytes
-};
-/// `text` is not empty and well-formed UTF-8.
-CodePoint FirstCodePoint(std::string_view text);
-/// "U+0104".
-std::string CodePointName(char32_t value);
 
 }  // namespace plcxx::prostep

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "transpiler/dialects/prostep/source/lexer.h"
 
@@ -49,23 +48,6 @@ bool IsOperandLike(std::string_view rest) {
 bool LooksLikeOperand(std::string_view rest) {
   rest = SkipBlanks(rest);
   return IsOperandLike(rest) && ClassByName(Upper(rest.substr(0, LettersAt(rest)))) != OperandClass::kNone;
-}
-
-CodePoint FirstCodePoint(std::string_view text) {
-  const auto byte = [&](size_t i) -> char32_t {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) & 0x3Fu : 0u;
-  };
-  const auto first = static_cast<unsigned char>(text.front());
-  if (first < 0x80) return {first, 1};
-  if (first < 0xE0) return {(first & 0x1Fu) << 6 | byte(1), 2};
-  if (first < 0xF0) return {(first & 0x0Fu) << 12 | byte(1) << 6 | byte(2), 3};
-  return {(first & 0x07u) << 18 | byte(1) << 12 | byte(2) << 6 | byte(3), 4};
-}
-
-std::string CodePointName(char32_t value) {
-  char name[16];
-  std::snprintf(name, sizeof name, "U+%04X", static_cast<unsigned>(value));
-  return name;
 }
 
 }  // namespace plcxx::prostep

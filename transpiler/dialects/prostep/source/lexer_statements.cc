@@ -75,15 +75,15 @@ source::Range LineLexer::RangeOf(size_t begin, size_t end) const {
 bool LineLexer::ReportCharacters(size_t begin, size_t end) {
   for (size_t i = begin; i < end; ++i) {
     if (IsPlain(text_[i])) continue;
-    const CodePoint point = FirstCodePoint(text_.substr(i));
+    const source::CodePoint point = source::FirstCodePoint(text_.substr(i));
     const source::Range range = RangeOf(i, i + point.length);
     // A byte that could not be decoded has been reported with all others of the file.
     if (std::ranges::binary_search(file_.replaced, range.begin - file_.base)) return true;
     if (point.length == 1) {
-      diagnostics_.Report(range, diag::ProstepControlCharacter, CodePointName(point.value));
+      diagnostics_.Report(range, diag::ProstepControlCharacter, source::CodePointName(point.value));
     } else {
       diagnostics_.Report(range, diag::ProstepCharacter, "'" + std::string(text_.substr(i, point.length)) + "'",
-                          CodePointName(point.value));
+                          source::CodePointName(point.value));
     }
     return true;  // one message for a token
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transpiler/source/characters.h"
+
 namespace plcxx::technol {
 namespace {
 
@@ -27,14 +29,16 @@ std::string_view BadCharacters(const Token& token) {
 }
 
 void ReportCharacter(const Token& token, std::string_view bad, ParsingContext& context) {
-  const std::string_view shown = bad.substr(0, CharacterBytes(bad));
+  const source::CodePoint point = source::FirstCodePoint(bad);
+  const std::string_view shown = bad.substr(0, point.length);
+  const std::string name = source::CodePointName(point.value);
   const bool printable = static_cast<uint8_t>(shown.front()) >= ' ' && shown.front() != '\x7F';
   const std::string picture = printable ? "'" + std::string(shown) + "'" : "code";
   const std::string_view meant = MeantByCharacter(shown);
   if (meant.empty()) {
-    context.Report(token.range, diag::TechnolCharacter, picture, CodePointName(bad));
+    context.Report(token.range, diag::TechnolCharacter, picture, name);
   } else {
-    context.Report(token.range, diag::TechnolCharacterHint, picture, CodePointName(bad), meant);
+    context.Report(token.range, diag::TechnolCharacterHint, picture, name, meant);
   }
 }
 

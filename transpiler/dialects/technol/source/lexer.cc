@@ -1,7 +1,8 @@
 #include "transpiler/dialects/technol/source/lexer.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "transpiler/source/characters.h"
 
 namespace plcxx::technol {
 namespace {
@@ -38,7 +39,7 @@ class LineLexer {
     if (IsDigit(c)) return Add(TokenKind::kNumber, WordEnd());
     if (c == '\'' || c == '"') return TakeQuoted(c);
     if (kPunctuation.find(c) != std::string_view::npos) return Add(TokenKind::kPunctuation, at_ + 1);
-    Add(TokenKind::kInvalid, at_ + CharacterBytes(text_.substr(at_)));
+    Add(TokenKind::kInvalid, at_ + source::FirstCodePoint(text_.substr(at_)).length);
   }
 
   size_t WordEnd() const {
@@ -157,22 +158,6 @@ std::string_view TrimBlanks(std::string_view text) {
   while (!text.empty() && IsBlank(text.front())) text.remove_prefix(1);
   while (!text.empty() && IsBlank(text.back())) text.remove_suffix(1);
   return text;
-}
-
-uint32_t CharacterBytes(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text.front());
-  const uint32_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 1;
-  return std::min(bytes, static_cast<uint32_t>(text.size()));
-}
-
-std::string CodePointName(std::string_view text) {
-  const uint32_t bytes = CharacterBytes(text);
-  uint32_t value = static_cast<unsigned char>(text.front());
-  if (bytes > 1) value &= 0x3FU >> (bytes - 1);
-  for (uint32_t i = 1; i < bytes; ++i) value = value << 6 | (static_cast<unsigned char>(text[i]) & 0x3FU);
-  char name[16];
-  std::snprintf(name, sizeof name, "U+%04X", value);
-  return name;
 }
 
 }  // namespace plcxx::technol

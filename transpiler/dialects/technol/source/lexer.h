@@ -53,9 +53,5 @@ std::string Upper(std::string_view text);
 /// Ignoring the case of ASCII letters; `upper` is in capitals.
 bool Means(std::string_view text, std::string_view upper);
 std::string_view TrimBlanks(std::string_view text);
-/// "U+00E9": of the character at the beginning of `text`.
-std::string CodePointName(std::string_view text);
-/// Bytes of the character at the beginning of `text`, which is not empty and well-formed UTF-8.
-uint32_t CharacterBytes(std::string_view text);
 
 }  // namespace plcxx::technol

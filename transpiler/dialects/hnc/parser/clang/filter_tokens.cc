@@ -14,6 +14,7 @@
 #include "transpiler/dialects/hnc/machine/product_names.h"
 #include "transpiler/dialects/hnc/parser/clang/foreign_forms.h"
 #include "transpiler/dialects/hnc/parser/clang/session.h"
+#include "transpiler/source/characters.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -153,7 +154,8 @@ void Filter::Next() {
   if (token.is(tok::unknown) && Spelling(token) == "\\") {
     // In an argument of a macro: there.
     const clang::SourceLocation place = preprocessor_.getSourceManager().getFileLoc(token.getLocation());
-    session_.findings().Report(session_.places.OfToken(place), diag::HncCharacterForeign, "\\", "U+005C",
+    session_.findings().Report(session_.places.OfToken(place), diag::HncCharacterForeign, "\\",
+                               source::CodePointName('\\'),
                                "outside literals a backslash only ends a line that goes on");
     ++at_;
     return;
