@@ -206,7 +206,8 @@ def needs_a_token(plcxx, folder):
         assert server.request("GET", "/api/program", headers={"X-Plcxx-Token": server.token})[0] == 200
         assert server.request("GET", "/api/program?token=" + server.token)[0] == 200
         server.process.send_signal(signal.SIGTERM)
-        assert "everybody who knows this address" in server.process.stderr.read()
+        said = server.process.stderr.read()
+        assert "everybody who knows this address" in said and "others write the name of this machine" in said, said
 
 
 def wrong_use(plcxx, folder):

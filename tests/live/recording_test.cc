@@ -1,9 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/live/live_fixture.h"
+#include "tests/temporary_directory.h"
 #include "transpiler/live/commands.h"
 #include "transpiler/live/guard.h"
 #include "transpiler/live/opened.h"
@@ -15,6 +19,7 @@ namespace plcxx::live {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 TEST(Recording, WhatWasDoneIsAScenarioThatPasses) {
   LiveBench bench;
@@ -111,11 +116,12 @@ TEST(Opened, StandsWhereAPropertyIsViolated) {
 class CommandsTest : public testing::Test {
  protected:
   std::string Run(const std::string& command) {
-    return RunCommand(*bench_.session, {&bench_.compilation, &bench_.request, ""},
+    return RunCommand(*bench_.session, {&bench_.compilation, &bench_.request, folder_.path().string()},
                       nlohmann::ordered_json::parse(command, nullptr, false))
         .refusal;
   }
   LiveBench bench_;
+  testing_support::TemporaryDirectory folder_;
 };
 
 TEST_F(CommandsTest, NothingOfThemIsBelieved) {
@@ -146,6 +152,38 @@ TEST_F(CommandsTest, NothingOfThemIsBelieved) {
     EXPECT_NE(Run(wrong), "") << wrong;
   }
   EXPECT_NE(Run("{\"do\":\"watch\",\"name\":\"" + std::string(100'000, 'x') + "\"}"), "");
+}
+
+// What is wrong with a condition is told in the words that were written.
+TEST_F(CommandsTest, ConditionsAreToldAsTheyWereWritten) {
+  const auto refused = [&](const std::string& text) {
+    return Run(R"({"do":"breakCondition","text":")" + text + "\"}");
+  };
+  EXPECT_THAT(refused("U4A8 and"), StartsWith("the end of the line stands where a location, a number or '('"));
+  EXPECT_THAT(refused(""), StartsWith("the end of the line stands where"));
+  EXPECT_THAT(refused("U4A8) or (I0A3"), StartsWith("')' stands where"));
+  EXPECT_EQ(refused("U4A8 is never stuck"), "whether something is stuck cannot be seen in one run");
+  EXPECT_EQ(refused("U4A8 or I0A3 and not I0A4 for 20 ms"), "");
+}
+
+// On a full disk nothing is left that would be in the way when there is room again.
+TEST_F(CommandsTest, AScenarioIsSavedWholeOrNotAtAll) {
+  bench_.Periods(2);
+  const std::string save = R"({"do":"save","file":"kept.yaml"})";
+  const std::filesystem::path path = folder_.path() / "kept.yaml";
+  rlimit before = {};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto on_excess = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit nothing = {0, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &nothing), 0);
+  const std::string refusal = Run(save);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, on_excess);
+  EXPECT_EQ(refusal, "'kept.yaml' cannot be written: file too large");
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_EQ(Run(save), "");
+  EXPECT_TRUE(std::filesystem::exists(path));
+  EXPECT_EQ(Run(save), "'kept.yaml' is there already");
 }
 
 TEST_F(CommandsTest, EachOneIsThereOnce) {

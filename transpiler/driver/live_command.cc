@@ -36,6 +36,7 @@
 #include "transpiler/live/opened.h"
 #include "transpiler/live/service.h"
 #include "transpiler/scenarios/plan.h"
+#include "transpiler/support/check.h"
 #include "transpiler/support/hex.h"
 
 extern char** environ;
@@ -174,39 +175,55 @@ bool OpenNamed(const LiveSettings& settings, const compilation::Compilation& com
   return scenario && OpenRun(*scenario, compilation, session);
 }
 
-/// What keeps the page from an address, and what to do; `error` of the attempt, 0 where the system was not asked.
-std::string CannotListen(const LiveSettings& settings, int error) {
+/// What keeps the page from an address, and what to do.
+std::string CannotListen(const LiveSettings& settings, live::ListenProblem problem) {
   const std::string where = "cannot listen at " + settings.listen +
                             (settings.port == 0 ? "" : ", port " + std::to_string(settings.port)) + ": ";
-  if (error == EADDRINUSE) return where + "another program listens there; choose another --port, or end that one";
-  if (error == EACCES) return where + "ports below 1024 are for the administrator; choose another --port";
-  return where + "this machine has no such address; --listen 0.0.0.0 means all that it has";
+  switch (problem) {
+    case live::ListenProblem::kPortInUse:
+      return where + "another program listens there; choose another --port, or end that one";
+    case live::ListenProblem::kPortNotPermitted:
+      return where + "ports below 1024 are for the administrator; choose another --port";
+    case live::ListenProblem::kNoSuchAddress:
+      return where + "this machine has no such address; --listen 0.0.0.0 means all that it has";
+  }
+  PLCXX_UNREACHABLE();
 }
+
+/// As a browser has it.
+std::string PageAddress(const std::string& host, int port, const std::string& token) {
+  const bool is_numeric6 = host.find(':') != std::string::npos;
+  return "http://" + (is_numeric6 ? "[" + host + "]" : host) + ":" + std::to_string(port) + "/" +
+         (token.empty() ? "" : "#token=" + token);
+}
+
+/// Not an address that others could write.
+bool IsEveryAddress(const std::string& host) { return host == "0.0.0.0" || host == "::"; }
 
 /// Serves until a signal comes.
 int Serve(const LiveSettings& settings, live::Service& service, const std::string& name) {
   if (!CatchSignals()) return UsageError("there are too many open files");
   live::LoadedServer loaded = live::LoadHttpServer(service);
   if (!loaded.server) return UsageError("there is no web server: " + loaded.reason);
-  int port = 0;
-  if (settings.port != 0) {
-    port = loaded.server->Bind(settings.listen, settings.port);
-  } else {
-    port = loaded.server->Bind(settings.listen, kUsualPort);
-    if (port == 0) {
-      loaded = live::LoadHttpServer(service);
-      port = loaded.server->Bind(settings.listen, 0);
-    }
+  auto bound = loaded.server->Bind(settings.listen, settings.port != 0 ? settings.port : kUsualPort);
+  if (settings.port == 0 && std::holds_alternative<live::ListenProblem>(bound)) {
+    loaded = live::LoadHttpServer(service);
+    bound = loaded.server->Bind(settings.listen, 0);
   }
-  if (port == 0) return UsageError(CannotListen(settings, errno));
+  if (const auto* problem = std::get_if<live::ListenProblem>(&bound))
+    return UsageError(CannotListen(settings, *problem));
+  const int port = std::get<int>(bound);
   const bool is_local = settings.listen == kLoopback;
   live::GuardOptions guard{.port = port, .token = is_local ? "" : NewToken()};
-  const std::string address = "http://" + settings.listen + ":" + std::to_string(port) + "/" +
-                              (guard.token.empty() ? "" : "#token=" + guard.token);
+  const std::string address = PageAddress(settings.listen, port, guard.token);
   service.Guard(std::move(guard));
   if (!is_local) {
     std::cerr << "plcxx: everybody who knows this address can operate the simulation, and what is sent is not "
                  "encrypted\n";
+  }
+  if (IsEveryAddress(settings.listen)) {
+    std::cerr << "plcxx: others write the name of this machine, or one of its addresses, instead of " << settings.listen
+              << "\n";
   }
   std::cout << name << ": " << address << "\nCtrl+C ends it.\n" << std::flush;
   if (!settings.no_browser) OpenBrowser(address);

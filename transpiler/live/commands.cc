@@ -1,13 +1,14 @@
 #include "transpiler/live/commands.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <utility>
 
 #include "transpiler/live/command_words.h"
 #include "transpiler/live/recording.h"
 #include "transpiler/live/why.h"
+#include "transpiler/support/system_words.h"
 
 namespace plcxx::live {
 namespace {
@@ -58,7 +59,21 @@ Refusal ScenarioCommand(Context& context) {
   return recording.refusal;
 }
 
-/// A new file: one that is there is somebody's work.
+/// A new file, whole or not at all: one that is there is somebody's work.
+Refusal WriteNew(const std::string& path, const std::string& name, const std::string& text) {
+  std::FILE* const file = std::fopen(path.c_str(), "wx");
+  if (file == nullptr && errno == EEXIST) return "'" + name + "' is there already";
+  bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  int error = errno;
+  if (file != nullptr && std::fclose(file) != 0) {
+    if (written) error = errno;
+    written = false;
+  }
+  if (written) return {};
+  if (file != nullptr) std::remove(path.c_str());
+  return "'" + name + "' cannot be written: " + support::SystemWords(error);
+}
+
 Refusal SaveCommand(Context& context) {
   const std::string name = context.words.Text("file");
   if (!context.words.wrong().empty()) return context.words.wrong();
@@ -67,14 +82,9 @@ Refusal SaveCommand(Context& context) {
                                                context.session.timeline(), context.place.directory, name);
   if (!recording.refusal.empty()) return recording.refusal;
   const std::string path = (std::filesystem::path(context.place.directory) / name).generic_string();
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wx"), &std::fclose);
-  if (!file) return "'" + name + "' cannot be written, or is there already";
-  if (std::fwrite(recording.yaml.data(), 1, recording.yaml.size(), file.get()) != recording.yaml.size() ||
-      std::fflush(file.get()) != 0) {
-    return "'" + name + "' cannot be written";
-  }
-  context.answer["file"] = name;
-  return {};
+  Refusal refusal = WriteNew(path, name, recording.yaml);
+  if (refusal.empty()) context.answer["file"] = name;
+  return refusal;
 }
 
 Refusal TriggerCommand(Context& context) {

@@ -9,7 +9,8 @@ namespace plcxx::live {
 namespace {
 
 bool IsWholeProperty(const std::string& text) {
-  return text.starts_with("never ") || text.starts_with("always ") || text.find(" implies ") != std::string::npos;
+  return text.starts_with("never ") || text.starts_with("always ") || text.find(" implies ") != std::string::npos ||
+         text.find(" is never stuck") != std::string::npos;
 }
 
 }  // namespace
@@ -24,7 +25,7 @@ std::variant<Condition, std::string> Condition::Parse(const ConditionContext& co
   const dialects::Dialect& dialect = *context.compilation.dialect;
   const ir::Program& program = context.compilation.program;
   // A condition comes true where "never" it is violated.
-  const std::string property = IsWholeProperty(text) ? text : "never (" + text + ")";
+  const std::string property = IsWholeProperty(text) ? text : "never " + text;
   prove::properties::Properties parsed = prove::properties::ParseProperties(
       property, scenarios::PropertyContextOf(dialect, program, context.cells, context.timing));
   if (!parsed.errors.empty()) return scenarios::TextOf(parsed.errors.front(), dialect.name);

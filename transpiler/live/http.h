@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace plcxx::live {
@@ -31,11 +32,14 @@ class HttpHandler {
   virtual HttpResponse Answer(const HttpRequest& request) = 0;
 };
 
+/// Why an address cannot be listened at.
+enum class ListenProblem : uint8_t { kPortInUse, kPortNotPermitted, kNoSuchAddress };
+
 class HttpServer {
  public:
   virtual ~HttpServer() = default;
-  /// The port that it listens on; 0: it cannot, and `errno` says why where the system did.
-  virtual int Bind(const std::string& address, int port) = 0;
+  /// The port that it listens on; `port` 0: any that is free.
+  virtual std::variant<int, ListenProblem> Bind(const std::string& address, int port) = 0;
   /// Serves until Stop.
   virtual void Serve() = 0;
   /// From another thread, or from a signal's thread.

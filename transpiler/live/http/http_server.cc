@@ -3,12 +3,12 @@
 #include <httplib.h>
 #include <malloc.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <string>
 #include <thread>
+#include <variant>
 
 #include "transpiler/live/http.h"
 
@@ -72,10 +72,18 @@ class HttplibServer : public HttpServer {
     server_.Post(".*", answer);
   }
 
-  int Bind(const std::string& address, int port) override {
+  std::variant<int, ListenProblem> Bind(const std::string& address, int port) override {
     errno = 0;
-    if (port == 0) return std::max(0, server_.bind_to_any_port(address.c_str()));
-    return server_.bind_to_port(address.c_str(), port) ? port : 0;
+    if (port == 0) {
+      const int chosen = server_.bind_to_any_port(address.c_str());
+      if (chosen > 0) return chosen;
+    } else if (server_.bind_to_port(address.c_str(), port)) {
+      return port;
+    }
+    // The library says that it failed; why is what the system's last call has left.
+    if (errno == EADDRINUSE) return ListenProblem::kPortInUse;
+    if (errno == EACCES) return ListenProblem::kPortNotPermitted;
+    return ListenProblem::kNoSuchAddress;
   }
   void Serve() override {
     server_.listen_after_bind();
