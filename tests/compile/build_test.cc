@@ -386,6 +386,19 @@ TEST(Build, AMissingCompilerIsNamedWithItsPackage) {
   EXPECT_FALSE(work.Has("out"));
 }
 
+TEST(Build, ACompilerForOtherProcessorsIsNoFaultOfTheCode) {
+  const Workplace work;
+  work.Write("p.plc", kProgram);
+  work.Write("g++-here", "#!/bin/sh\necho x86_64-linux-gnu\n");
+  std::filesystem::permissions(work.Path("g++-here"), std::filesystem::perms::owner_all);
+  const Ran ran = RunIn(work, ".", "build p.plc --target cortex-m4f --compiler ./g++-here -o out");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_THAT(ran.errors,
+              HasSubstr("compiler './g++-here' makes code for x86_64-linux-gnu, not for target cortex-m4f"));
+  EXPECT_THAT(ran.errors, HasSubstr("arm-none-eabi-g++"));
+  EXPECT_FALSE(work.Has("out"));
+}
+
 TEST(Build, ACompilerThatRefusesLeavesNothing) {
   const Workplace work;
   work.Write("p.plc", kProgram);

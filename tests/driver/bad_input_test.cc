@@ -177,6 +177,20 @@ TEST(BadInput, ElevenSources) {
   ExpectRefused(work, arguments, "nc110-51");
 }
 
+TEST(BadInput, AScenarioWithoutProgramIsToldByEveryCommand) {
+  const Workplace work;
+  work.Write("alone.yaml", "steps:\n- run: {slow: 1}\n- expect: {U4A0: 1}\n");
+  for (const std::string command :
+       {"check alone.yaml", "emit alone.yaml", "print ir alone.yaml", "report alone.yaml", "sim alone.yaml",
+        "build alone.yaml --target host", "verify alone.yaml", "prove alone.yaml", "soak alone.yaml --for 1s",
+        "live alone.yaml --no-browser", "mutate alone.yaml", "test alone.yaml", "why U4A0 --scenario alone.yaml",
+        "identify alone.yaml alone.yaml"}) {
+    const Ran ran = work.Run(command);
+    EXPECT_EQ(ran.code, 2) << command << "\n" << ran;
+    EXPECT_THAT(ran.errors, HasSubstr("alone.yaml: no 'sources': the scenario names no program")) << command;
+  }
+}
+
 TEST(BadInput, FilesThatAreNoSourcesAreToldWithTheCause) {
   const Workplace work;
   work.Write("main.plc", "$\nU4A0=I0A0\n");
@@ -193,7 +207,8 @@ TEST(BadInput, FilesThatAreNoSourcesAreToldWithTheCause) {
   EXPECT_THAT(refused("prove main.plc --property ."), HasSubstr("cannot read '.': it is a directory; "));
   EXPECT_THAT(refused("live main.plc --no-browser --vcd rum.vcd"),
               HasSubstr("cannot read 'rum.vcd': no such file, did you mean 'run.vcd'; --vcd names a recorded trace"));
-  EXPECT_THAT(refused("identify man.plc"), HasSubstr("'man.plc' is no file that can be read, did you mean 'main.plc'"));
+  EXPECT_THAT(refused("identify man.plc"),
+              HasSubstr("cannot read 'man.plc': no such file, did you mean 'main.plc'; FILE is an object, "));
   EXPECT_THAT(refused("live main.plc --link tcp:here:99999 --read U4A0"), HasSubstr("'99999' is no port: 1 to 65535"));
   EXPECT_THAT(refused("live main.plc --link socket:none --force U4A0=1,U4A0=0"),
               HasSubstr("'U4A0' is given two values"));

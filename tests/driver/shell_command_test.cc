@@ -63,16 +63,23 @@ TEST(DidYouMean, WordsThatMessagesList) {
     const char *command, *message;
   };
   const Misspelt kMisspelt[] = {
-      {"print schem", "unknown phase 'schem', did you mean 'schema': choose one of source, "},
-      {"print whatever ok.plc", "unknown phase 'whatever': choose one of source, "},
-      {"manual chek", "'chek' is no command of plcxx, did you mean 'check': "},
-      {"completion bassh", "'bassh' is no shell that plcxx knows, did you mean 'bash': bash, zsh, fish"},
+      {"print schem", "'schem' is no phase, did you mean 'schema'; there are: source, "},
+      {"print whatever ok.plc", "'whatever' is no phase; there are: source, "},
+      {"manual chek", "'chek' is no command of plcxx, did you mean 'check'; there are: "},
+      {"completion bassh", "'bassh' is no shell that plcxx knows, did you mean 'bash'; there are: bash, zsh, fish"},
       {"build ok.plc --target cortexm4", "'cortexm4' is no target, did you mean 'cortex-m4'; there are: host, "},
-      {"test ok.yaml --engine simm", "there is no engine 'simm', did you mean 'sim'; there are "},
-      {"check ok.plc --encoding kamenick", "unknown encoding 'kamenick', did you mean 'kamenicky': "},
+      {"test ok.yaml --engine simm", "there is no engine 'simm', did you mean 'sim'; there are: sim, host, all, "},
+      {"check ok.plc --encoding kamenick", "'kamenick' is no encoding, did you mean 'kamenicky'; there are: auto, "},
       {"check ok.plc --dialect nc10", "'nc10' is no dialect, did you mean 'nc110' [plcxx-1]"},
       {"check ok.plc --set slics=2", "'slics' is no option of dialect nc110, did you mean 'slices' [plcxx-2]"},
-      {"init --dialect hst50", "unknown dialect 'hst50', did you mean 'host50': "},
+      {"check ok.plc --diagnostics sarf",
+       "--diagnostics: 'sarf' is no value of it, did you mean 'sarif'; there are: text, json, sarif"},
+      {"emit ok.plc --host linuxnc", "did you mean 'linuxcnc'; there are: own, posix, linuxcnc, modbus"},
+      {"init --pipeline githb", "did you mean 'github'; there are: auto, github, gitlab, none"},
+      {"diff ok.plc ok.plc --format markdwn", "did you mean 'markdown'; there are: text, markdown, json, sarif, html"},
+      {"build ok.plc --target host -O 7", "-O: '7' is no value of it; there are: 0, 1, 2, 3, s, z"},
+      {"test ok.yaml --engine fleet511", "did you mean 'fleet512'; there are: sim, "},
+      {"init --dialect hst50", "'hst50' is no dialect, did you mean 'host50'; there are: "},
   };
   work.Write("ok.yaml", "dialect: nc110\nsources: [ok.plc]\n");
   for (const Misspelt& misspelt : kMisspelt) {

@@ -63,7 +63,7 @@ TEST_F(TestCommand, AScenarioThatPasses) {
 
 TEST_F(TestCommand, EnginesByTheirNames) {
   EXPECT_THAT(Run("good.yaml --engine cobol").output,
-              HasSubstr("there is no engine 'cobol'; there are sim, host, all, "));
+              HasSubstr("there is no engine 'cobol'; there are: sim, host, all, "));
   EXPECT_EQ(Run("good.yaml --engine cobol").exit_code, 2);
   EXPECT_THAT(Run("good.yaml --engine hal").output,
               HasSubstr("runs in LinuxCNC (dev/install linuxcnc) by tests/host/linuxcnc.py"));

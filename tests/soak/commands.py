@@ -204,9 +204,12 @@ def main():
             ran = soak(work, *arguments)
             expect(ran.returncode in (1, 2) and words in ran.stderr, f"{arguments} is not refused", ran)
         (work / "broken").mkdir()
-        (work / "broken/soak.json").write_text('{"plcxx_soak": 1')
-        ran = soak(work, "--merge", "out", "broken")
-        expect(ran.returncode == 2 and "no record of a soak" in ran.stderr, "a broken record is not refused", ran)
+        for record, words in (('{"plcxx_soak": 1', "it is no record of a soak: this is no JSON"),
+                              ("[1]", "it is no record of a soak: a field is missing"),
+                              ('{"plcxx_soak": 1, "program": 7}', "it is no record of a soak: a field is missing")):
+            (work / "broken/soak.json").write_text(record)
+            ran = soak(work, "--merge", "out", "broken")
+            expect(ran.returncode == 2 and words in ran.stderr and "exception" not in ran.stderr, "a broken record is not refused", ran)
         (work / "other.plc").write_text("$\nU4A0 = I0A0\n")
         soak(work, "other.plc", "--for", "1s", "-o", "other")
         ran = soak(work, "--merge", "out", "shard-1", "other")

@@ -43,12 +43,9 @@ const Dialect* ChooseDialect(std::string_view name, const std::vector<std::strin
   return nullptr;
 }
 
-std::string DialectNames() {
-  std::string names;
-  for (const Dialect* dialect : dialects::AllDialects()) {
-    if (!names.empty()) names += ", ";
-    names += dialect->name;
-  }
+std::vector<std::string_view> DialectNames() {
+  std::vector<std::string_view> names;
+  for (const Dialect* dialect : dialects::AllDialects()) names.push_back(dialect->name);
   return names;
 }
 

@@ -18,7 +18,6 @@ using Peek = std::function<std::string(const std::string& path)>;
 /// `name` as given with --dialect (may be empty). None when no dialect or more than one fits.
 const dialects::Dialect* ChooseDialect(std::string_view name, const std::vector<std::string>& paths, const Peek& peek);
 
-/// "nc110, technol": for messages.
-std::string DialectNames();
+std::vector<std::string_view> DialectNames();
 
 }  // namespace plcxx::compilation

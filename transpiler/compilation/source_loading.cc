@@ -13,6 +13,7 @@
 #include "transpiler/compilation/dialect_choice.h"
 #include "transpiler/source/decode.h"
 #include "transpiler/source/read_bytes.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::compilation {
@@ -120,12 +121,15 @@ dialects::FileLoader MakeLoader(const CompilationRequest& request, source::Sourc
   };
 }
 
-void ReportNoDialect(const std::string& name, const std::string& path, diag::Engine& diagnostics) {
-  if (name.empty()) {
-    diagnostics.Report({}, diag::UnknownDialect, path, DialectNames());
+void ReportNoDialect(const std::string& name, const std::vector<std::string>& paths, diag::Engine& diagnostics) {
+  if (name.empty() && paths.empty()) {
+    diagnostics.Report({}, diag::NoSources);
+  } else if (name.empty()) {
+    diagnostics.Report({}, diag::UnknownDialect, paths.front(), support::CommaSeparated(DialectNames()));
   } else {
-    diagnostics.Report({}, diag::UnknownDialectName, name, DialectNames(),
-                       support::DidYouMeanOneOf(name, DialectNames()));
+    const std::vector<std::string_view> names = DialectNames();
+    diagnostics.Report({}, diag::UnknownDialectName, name, support::CommaSeparated(names),
+                       support::DidYouMean(name, names));
   }
 }
 
@@ -185,7 +189,7 @@ void LoadSources(const CompilationRequest& request, Compilation& compilation) {
   });
   if (compilation.diagnostics.HasErrors()) return;
   if (compilation.dialect == nullptr) {
-    ReportNoDialect(request.dialect, paths.front(), compilation.diagnostics);
+    ReportNoDialect(request.dialect, paths, compilation.diagnostics);
     compilation.wrong_use = true;
     return;
   }

@@ -13,9 +13,9 @@ const std::vector<Target>& Targets() {
   return targets;
 }
 
-std::string TargetNames() {
-  std::string names;
-  for (const Target& target : Targets()) names += (names.empty() ? "" : ", ") + std::string(target.name);
+std::vector<std::string_view> TargetNames() {
+  std::vector<std::string_view> names;
+  for (const Target& target : Targets()) names.push_back(target.name);
   return names;
 }
 

@@ -19,8 +19,7 @@ struct Target {
 /// All of them, the machine's own first.
 const std::vector<Target>& Targets();
 
-/// Their names, "host, cortex-m0plus", for messages.
-std::string TargetNames();
+std::vector<std::string_view> TargetNames();
 
 /// nullptr when there is none of this name.
 const Target* FindTarget(std::string_view name);

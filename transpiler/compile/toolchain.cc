@@ -10,6 +10,7 @@ namespace plcxx::compile {
 namespace {
 
 constexpr int kVersionSeconds = 20;
+constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz";
 
 /// What all code is compiled with. No jump tables: an indirect jump would hide where the longest path goes, and a
 /// switch of a machine program is a few comparisons.
@@ -97,6 +98,16 @@ std::variant<Toolchain, MissingTool> FindToolchain(const Target& target, const s
     return toolchain;
   }
   return MissingTool{candidates.front(), PackageOf(target, candidates.front())};
+}
+
+std::string OtherMachineOf(const Toolchain& toolchain, const Target& target) {
+  const std::string_view family = target.prefix.substr(0, target.prefix.find_first_not_of(kLetters));
+  if (toolchain.is_clang || family.empty()) return {};
+  std::vector<std::string> command = toolchain.command;
+  command.emplace_back("-dumpmachine");
+  const ProcessResult result = RunProcess(command, kVersionSeconds);
+  if (result.exit_code != 0 || result.output.starts_with(family)) return {};
+  return result.output.substr(0, result.output.find('\n'));
 }
 
 std::vector<std::string> CompileCommand(const Toolchain& toolchain, const Target& target, const std::string& level,

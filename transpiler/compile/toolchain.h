@@ -25,6 +25,10 @@ struct MissingTool {
 /// names or the system has.
 std::variant<Toolchain, MissingTool> FindToolchain(const Target& target, const std::string& compiler);
 
+/// The processors that a GCC makes code for, as it says it ("x86_64-linux-gnu"), where these are others than the
+/// target's; empty: they are not. Clang makes code for all of them.
+std::string OtherMachineOf(const Toolchain& toolchain, const Target& target);
+
 /// The command that compiles `source` to `object`, both relative to `directory`, in which it runs. `level` as after
 /// -O. The object names no path outside of `directory`, and has line tables and frame descriptions (-g1), from which
 /// stack and loops are measured; neither is loaded onto a target.

@@ -21,6 +21,7 @@
 #include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/identity_of.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
@@ -32,6 +33,8 @@
 #include "transpiler/host/host.h"
 #include "transpiler/measure/figures.h"
 #include "transpiler/measure/limits.h"
+#include "transpiler/project/keys.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 #include "transpiler/support/read_file.h"
 
@@ -145,6 +148,11 @@ class Build {
       return false;
     }
     toolchain_ = std::get<compile::Toolchain>(found);
+    if (const std::string machine = compile::OtherMachineOf(toolchain_, target_); !machine.empty()) {
+      compilation_.diagnostics.Report({}, diag::OtherCompiler, settings_.compiler, machine, target_.name,
+                                      target_.prefix);
+      return false;
+    }
     progress_.Show("printing C++");
     const emit::Emittable emittable = emit::legalize::Legalize(
         compilation_.program,
@@ -273,11 +281,11 @@ int RunBuild(const BuildSettings& asked) {
   if (settings.level.empty()) settings.level = "2";
   const compile::Target* target = compile::FindTarget(settings.target);
   if (target == nullptr) {
-    const std::string names = compile::TargetNames();
+    const std::vector<std::string_view> names = compile::TargetNames();
     return UsageError(settings.target.empty()
-                          ? "build needs a target: --target " + names + "; or 'targets' in plcxx.yaml"
-                          : "'" + settings.target + "' is no target" +
-                                support::DidYouMeanOneOf(settings.target, names) + "; there are: " + names);
+                          ? "build needs a target: --target " + support::CommaSeparated(names) +
+                                "; or 'targets' in plcxx.yaml"
+                          : "'" + settings.target + "' is no target" + support::ThereAre(settings.target, names));
   }
   if (!settings.host.empty() && settings.host != "own" && settings.target != "host") {
     return UsageError("--host " + settings.host + " runs on Linux: --target host");
@@ -356,14 +364,12 @@ void AddBuild(CLI::App& app, Run& run) {
   AddCommonOptions(*command, settings->common);
   command->add_option("--target", settings->target, "What to compile for, see below")->type_name("T")->group("Output");
   AddOutputOptions(*command, settings->output);
-  std::vector<std::string> hosts;
-  for (const host::HostRow& row : host::Hosts()) hosts.emplace_back(row.text);
   command
       ->add_option("--host", settings->host,
                    "Who reaches the terminals, of --target host: its files are built and audited as well; else as the "
                    "project says")
       ->type_name("H")
-      ->check(CLI::IsMember(hosts))
+      ->check(OneOf(project::WordsOf(project::Shape::kHost)))
       ->group("Output");
   command
       ->add_option("--compiler", settings->compiler,
@@ -372,7 +378,7 @@ void AddBuild(CLI::App& app, Run& run) {
       ->group("Output");
   command->add_option("-O", settings->level, "Level of optimization; else 2")
       ->type_name("LEVEL")
-      ->check(CLI::IsMember({"0", "1", "2", "3", "s", "z"}))
+      ->check(OneOf(project::WordsOf(project::Shape::kLevel)))
       ->group("Output");
   command->add_option("-j,--jobs", settings->jobs, "Compilers at the same time; else one for each processor")
       ->type_name("N")

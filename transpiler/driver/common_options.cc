@@ -6,8 +6,10 @@
 
 #include "transpiler/compilation/warning_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/project/keys.h"
 #include "transpiler/source/columns.h"
 #include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
@@ -93,7 +95,7 @@ void AddProgramOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("--diagnostics", options.format, "Form of the messages: text, json, sarif")
       ->type_name("FORM")
       ->default_str("text")
-      ->check(CLI::IsMember({"text", "json", "sarif"}))
+      ->check(OneOf({"text", "json", "sarif"}))
       ->group(kMessagesGroup);
   command
       .add_option("--max-messages", options.most_messages,
@@ -200,9 +202,8 @@ std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& 
   if (!options.encoding.empty() && options.encoding != "auto") {
     request.encoding = source::EncodingByName(options.encoding);
     if (!request.encoding) {
-      PrintUsageError("unknown encoding '" + options.encoding + "'" +
-                      support::DidYouMean(options.encoding, source::EncodingNames()) + ": choose one of auto, " +
-                      support::CommaSeparated(source::EncodingNames()));
+      PrintUsageError("'" + options.encoding + "' is no encoding" +
+                      support::ThereAre(options.encoding, project::WordsOf(project::Shape::kEncoding)));
       return std::nullopt;
     }
   }

@@ -12,6 +12,7 @@
 #include "transpiler/driver/diff_output.h"
 #include "transpiler/driver/diff_page.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
@@ -239,7 +240,7 @@ void AddDiff(CLI::App& app, Run& run) {
   command->add_option("--format", settings->format, "text, markdown, json, sarif or html")
       ->type_name("FORMAT")
       ->default_str("text")
-      ->check(CLI::IsMember({"text", "markdown", "json", "sarif", "html"}));
+      ->check(OneOf({"text", "markdown", "json", "sarif", "html"}));
   command->add_option("--time", settings->time, "What is not decided by then stays so")
       ->type_name("TIME")
       ->default_str("60s");

@@ -15,6 +15,7 @@
 #include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/identity_of.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
@@ -24,6 +25,7 @@
 #include "transpiler/emit/output_file.h"
 #include "transpiler/emit/print/print.h"
 #include "transpiler/host/host.h"
+#include "transpiler/project/keys.h"
 
 namespace plcxx::driver {
 namespace {
@@ -187,14 +189,12 @@ void AddEmit(CLI::App& app, Run& run) {
           ->excludes(parts)
           ->excludes(lines)
           ->group("Output");
-  std::vector<std::string> hosts;
-  for (const host::HostRow& row : host::Hosts()) hosts.emplace_back(row.text);
   command
       ->add_option("--host", settings->host,
                    "Who reaches the terminals: own (functions that you write), or a host whose files are written, too: "
                    "posix, linuxcnc, modbus")
       ->type_name("HOST")
-      ->check(CLI::IsMember(hosts))
+      ->check(OneOf(project::WordsOf(project::Shape::kHost)))
       ->excludes(single)
       ->group("Output");
   CLI::Option* debug =

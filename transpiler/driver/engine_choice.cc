@@ -105,8 +105,7 @@ class Choice {
                       " of plcxx's sources, and is no engine of this command");
       return false;
     }
-    PrintUsageError("there is no engine '" + std::string(name) + "'" + support::DidYouMeanOneOf(name, EngineNames()) +
-                    "; there are " + EngineNames());
+    PrintUsageError("there is no engine '" + std::string(name) + "'" + support::ThereAre(name, EngineNames()));
     return false;
   }
 
@@ -127,9 +126,9 @@ class Choice {
 
 }  // namespace
 
-std::string EngineNames() {
-  std::string names = "sim, host, all, fleet";
-  for (const std::string_view machine : engines::EmulatedMachines()) names += ", " + std::string(machine);
+std::vector<std::string_view> EngineNames() {
+  std::vector<std::string_view> names = {"sim", "host", "all", "fleet", "fleet64", "fleet256", "fleet512"};
+  for (const std::string_view machine : engines::EmulatedMachines()) names.push_back(machine);
   return names;
 }
 

@@ -6,13 +6,15 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "transpiler/scenarios/suite.h"
 
 namespace plcxx::driver {
 
 /// For --help: all names.
-std::string EngineNames();
+std::vector<std::string_view> EngineNames();
 
 /// Fills `simulator` and `platforms` of the options. `compiler` is that of the host, empty when it is to be found.
 /// Emulated machines have the simulator beside them, whose trace is the measure. The environment variable

@@ -1,11 +1,9 @@
 // plcxx identify: which program is in an object, a library, an executable or a firmware image.
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "transpiler/driver/accepted_warnings.h"
@@ -13,13 +11,13 @@
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/identity_of.h"
+#include "transpiler/driver/named_file.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/emit/legalize/legalize.h"
 #include "transpiler/emit/print/print.h"
 #include "transpiler/identity/identity.h"
-#include "transpiler/source/near_file.h"
-#include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
@@ -41,26 +39,6 @@ struct IdentifySettings {
   CommonOptions common;
   std::string file, form = "text";
 };
-
-/// More is no image of a machine.
-constexpr uintmax_t kMostBytes = uintmax_t{1} << 30;
-
-/// None: said why.
-std::optional<std::string> BytesOf(const std::string& path) {
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(path, failed)) {
-    const std::string near = std::filesystem::exists(path, failed) ? "" : source::DidYouMeanFile(path);
-    PrintUsageError("'" + path + "' is no file that can be read" + near);
-    return std::nullopt;
-  }
-  if (const uintmax_t size = std::filesystem::file_size(path, failed); failed || size > kMostBytes) {
-    PrintUsageError("'" + path + "' is larger than 1 GB: no image of a machine");
-    return std::nullopt;
-  }
-  std::optional<std::string> bytes = support::ReadFile(path);
-  if (!bytes) PrintUsageError("'" + path + "' cannot be read");
-  return bytes;
-}
 
 /// How what was found relates to the sources given.
 struct Relation {
@@ -109,7 +87,8 @@ std::string Text(const identity::Identity& found, const std::optional<Relation>&
 }
 
 int RunIdentify(const IdentifySettings& settings) {
-  const std::optional<std::string> bytes = BytesOf(settings.file);
+  const std::optional<std::string> bytes =
+      ReadNamedFile(settings.file, "FILE is an object, a library, an executable or a firmware image");
   if (!bytes) return kWrongUse;
   const std::vector<identity::Identity> found = identity::FindIdentities(*bytes);
   const CommonOptions& common = settings.common;
@@ -161,7 +140,7 @@ void AddIdentify(CLI::App& app, Run& run) {
   AddProgramOptions(*command, settings->common);
   command->add_option("--format", settings->form, "text or json")
       ->type_name("FORM")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(OneOf({"text", "json"}))
       ->group("Output");
   command->footer(kIdentifyFooter);
   command->callback([settings, &run] { run = [settings] { return RunIdentify(*settings); }; });

@@ -11,6 +11,7 @@
 #include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/project/project.h"
@@ -87,9 +88,8 @@ int RunInit(const InitSettings& settings) {
     return UsageError("'" + folder + "' is no folder");
   }
   if (!settings.dialect.empty() && dialects::DialectByName(settings.dialect) == nullptr) {
-    return UsageError("unknown dialect '" + settings.dialect + "'" +
-                      support::DidYouMeanOneOf(settings.dialect, compilation::DialectNames()) + ": choose one of " +
-                      compilation::DialectNames());
+    return UsageError("'" + settings.dialect + "' is no dialect" +
+                      support::ThereAre(settings.dialect, compilation::DialectNames()));
   }
   std::vector<project::ProposedProgram> programs = project::ProposePrograms(folder, settings.dialect);
   if (programs.empty()) {
@@ -145,7 +145,7 @@ void AddInit(CLI::App& app, Run& run) {
   command->add_option("--dialect", settings->dialect, "Language of the sources; else found out")->type_name("NAME");
   command->add_option("--pipeline", settings->pipeline, "github, gitlab or none; else where the repository is")
       ->type_name("SERVICE")
-      ->check(CLI::IsMember({"auto", "github", "gitlab", "none"}));
+      ->check(OneOf({"auto", "github", "gitlab", "none"}));
   command->footer(kInitFooter);
   command->callback([settings, &run] { run = [settings] { return RunInit(*settings); }; });
 }

@@ -16,6 +16,7 @@
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/mutate_output.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/scenario_choice.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/mutate/mutate.h"
@@ -74,6 +75,10 @@ std::optional<std::vector<ProgramScenarios>> ReadScenarios(const std::vector<std
     }
     auto& scenario = std::get<scenarios::Scenario>(read);
     if (!scenario.steps || scenario.expect_error) continue;  // nothing is executed
+    if (const std::string why = scenarios::WhyNoProgram(scenario, {}); !why.empty()) {
+      PrintUsageError(why);
+      return std::nullopt;
+    }
     compilation::CompilationRequest request = scenarios::RequestOf(scenario, overrides);
     const auto [found, is_new] = number_of.try_emplace(scenarios::KeyOf(request), programs.size());
     if (is_new) programs.push_back({std::move(request), {}});
@@ -163,7 +168,7 @@ void AddMutate(CLI::App& app, Run& run) {
   command->add_option("--format", settings->form, "Form of the result: text, json")
       ->type_name("FORM")
       ->default_str("text")
-      ->check(CLI::IsMember({"text", "json"}));
+      ->check(OneOf({"text", "json"}));
   AddSettings(*command, settings->common);
   AddProjectOptions(*command, settings->common);
   command->footer(kMutateFooter);

@@ -20,6 +20,7 @@
 #include "transpiler/plant/schema.h"
 #include "transpiler/project/schema.h"
 #include "transpiler/source/decode.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
@@ -120,10 +121,10 @@ const PhaseRow* PhaseByName(std::string_view name) {
   return nullptr;
 }
 
-std::string PhaseNames() {
-  std::string names;
-  for (const PhaseRow& row : kPhases) names += std::string(row.name) + ", ";
-  for (const TextRow& row : kTexts) names += std::string(row.name) + (row.name == kTexts.back().name ? "" : ", ");
+std::vector<std::string_view> PhaseNames() {
+  std::vector<std::string_view> names;
+  for (const PhaseRow& row : kPhases) names.push_back(row.name);
+  for (const TextRow& row : kTexts) names.push_back(row.name);
   return names;
 }
 
@@ -153,8 +154,7 @@ int RunPrintOf(const PrintSettings& settings) {
     return kDone;
   }
   if (PhaseByName(settings.phase) == nullptr) {
-    return UsageError("unknown phase '" + settings.phase + "'" +
-                      support::DidYouMeanOneOf(settings.phase, PhaseNames()) + ": choose one of " + PhaseNames());
+    return UsageError("'" + settings.phase + "' is no phase" + support::ThereAre(settings.phase, PhaseNames()));
   }
   return RunForPrograms(settings, RunPrint, Result::kUnnamed);
 }
@@ -164,7 +164,7 @@ int RunPrintOf(const PrintSettings& settings) {
 void AddPrint(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("print", "Show what a phase of the transpiler made");
   const auto settings = std::make_shared<PrintSettings>();
-  command->add_option("PHASE", settings->phase, PhaseNames())->required()->type_name("");
+  command->add_option("PHASE", settings->phase, support::CommaSeparated(PhaseNames()))->required()->type_name("");
   AddCommonOptions(*command, settings->common);
   command->footer(kPrintFooter);
   command->callback([settings, &run] { run = [settings] { return RunPrintOf(*settings); }; });

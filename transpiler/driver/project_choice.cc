@@ -36,8 +36,7 @@ const project::Program* ProgramOf(const project::Project& project, const std::st
   const project::Program* program = project::FindProgram(project, name);
   if (program != nullptr) return program;
   const std::vector<std::string> names = NamesOf(project);
-  PrintUsageError("there is no program '" + name + "' in " + project.path + support::DidYouMean(name, names) +
-                  "; there are: " + support::CommaSeparated(names));
+  PrintUsageError("there is no program '" + name + "' in " + project.path + support::ThereAre(name, names));
   return nullptr;
 }
 

@@ -14,6 +14,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/plant_choice.h"
 #include "transpiler/driver/program_output.h"
@@ -300,7 +301,7 @@ void AddProve(CLI::App& app, Run& run) {
   command->add_option("--format", settings->form, "Form of the result: text, json")
       ->type_name("FORM")
       ->default_str("text")
-      ->check(CLI::IsMember({"text", "json"}));
+      ->check(OneOf({"text", "json"}));
   command->add_option("--junit", settings->junit, "Write the results as JUnit XML, each property a test")
       ->type_name("FILE");
   command->footer(kProveFooter);

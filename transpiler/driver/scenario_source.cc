@@ -31,8 +31,8 @@ std::optional<compilation::CompilationRequest> RequestOfScenario(const CommonOpt
                                                                  const compilation::CompilationRequest& request) {
   const std::optional<scenarios::Scenario> scenario = ReadScenario(options.sources.front(), options);
   if (!scenario) return std::nullopt;
-  if (scenario->sources.empty()) {
-    PrintUsageError(scenario->path + ": no 'sources': the scenario names no program");
+  if (const std::string why = scenarios::WhyNoProgram(*scenario, {}); !why.empty()) {
+    PrintUsageError(why);
     return std::nullopt;
   }
   compilation::CompilationRequest own = scenarios::RequestOf(*scenario, {{}, request.options, request.warnings});

@@ -1,4 +1,5 @@
 // plcxx completion and plcxx manual: what shells and man are to know of the command line.
+#include <array>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -10,7 +11,6 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
@@ -33,9 +33,8 @@ Exit codes: 0 shown or written, 2 no such command.)";
 int PrintCompletion(CLI::App& app, const std::string& shell) {
   const std::optional<std::string> script = CompletionScript(shell, CommandTable(app));
   if (!script) {
-    constexpr std::string_view kShells = "bash, zsh, fish";
-    return UsageError("'" + shell + "' is no shell that plcxx knows" + support::DidYouMeanOneOf(shell, kShells) + ": " +
-                      std::string(kShells));
+    constexpr std::array<std::string_view, 3> kShells = {"bash", "zsh", "fish"};
+    return UsageError("'" + shell + "' is no shell that plcxx knows" + support::ThereAre(shell, kShells));
   }
   std::cout << *script;
   return kDone;
@@ -69,8 +68,7 @@ int PrintManual(CLI::App& app, const std::string& name, const std::string& folde
     for (const CommandRow& command : table) {
       if (!command.name.empty()) names.push_back(command.name);
     }
-    return UsageError("'" + name + "' is no command of plcxx" + support::DidYouMean(name, names) + ": " +
-                      support::CommaSeparated(names));
+    return UsageError("'" + name + "' is no command of plcxx" + support::ThereAre(name, names));
   }
   if (const auto failure = WriteAll(output)) {
     return CannotWrite(*failure);

@@ -13,6 +13,7 @@
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/plant_choice.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
@@ -241,7 +242,7 @@ void AddSoak(CLI::App& app, Run& run) {
   command->add_option("--format", settings->form, "Form of the result: text, json")
       ->type_name("FORM")
       ->default_str("text")
-      ->check(CLI::IsMember({"text", "json"}));
+      ->check(OneOf({"text", "json"}));
   command->footer(kSoakFooter);
   command->callback([settings, &run] { run = [settings] { return RunSoakOrMerge(*settings); }; });
 }

@@ -17,6 +17,7 @@
 #include "transpiler/driver/scenario_choice.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/scenarios/suite.h"
+#include "transpiler/support/listed.h"
 
 namespace plcxx::driver {
 namespace {
@@ -149,7 +150,7 @@ void AddTest(CLI::App& app, Run& run) {
       ->type_name("");
   command
       ->add_option("--engine", settings->engine,
-                   "What runs them, in lockstep: names with commas of " + EngineNames() +
+                   "What runs them, in lockstep: names with commas of " + support::CommaSeparated(EngineNames()) +
                        ". host is the generated code, compiled here; all is sim,host; the others are emulated")
       ->type_name("ENGINE")
       ->default_str("all");

@@ -15,6 +15,7 @@
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
@@ -235,7 +236,9 @@ bool Verification::ChooseRoutines() {
     }
   }
   for (const std::string& asked : settings_.routines) {
-    if (std::ranges::find(names, asked) == names.end()) return Refuse("there is no routine " + asked);
+    if (std::ranges::find(names, asked) == names.end()) {
+      return Refuse("there is no routine '" + asked + "'" + support::ThereAre(asked, names));
+    }
   }
   return true;
 }
@@ -319,8 +322,8 @@ std::unique_ptr<prove::verify::CompiledCode> Verification::ReadObjects(const emi
   progress_.Show("reading objects");
   for (const std::string& path : settings_.objects) {
     auto bytes = source::ReadBytes(path, kMostObjectBytes);
-    if (std::get_if<source::LoadError>(&bytes) != nullptr) {
-      Refuse("'" + path + "' cannot be read");
+    if (const auto* error = std::get_if<source::LoadError>(&bytes)) {
+      Refuse("cannot read '" + path + "': " + error->detail);
       return nullptr;
     }
     objects_.push_back(std::move(std::get<std::string>(bytes)));
@@ -388,8 +391,7 @@ int RunVerify(const VerifySettings& settings) {
   const compile::Target* target = compile::FindTarget(settings.target);
   if (target == nullptr) {
     return UsageError("'" + settings.target + "' is no target" +
-                      support::DidYouMeanOneOf(settings.target, compile::TargetNames()) +
-                      "; there are: " + compile::TargetNames());
+                      support::ThereAre(settings.target, compile::TargetNames()));
   }
   OutputOptions names;
   names.name = settings.name;
@@ -427,7 +429,7 @@ void AddVerify(CLI::App& app, Run& run) {
       ->group("Output");
   command->add_option("-O", settings->level, "Level of optimization; else 2")
       ->type_name("LEVEL")
-      ->check(CLI::IsMember({"1", "2", "3", "s", "z"}))
+      ->check(OneOf({"1", "2", "3", "s", "z"}))
       ->group("Output");
   command->add_option("--target", settings->target, "What to compile for, as in plcxx build; else this machine")
       ->type_name("T")
@@ -446,7 +448,7 @@ void AddVerify(CLI::App& app, Run& run) {
       ->group("Limits");
   command->add_option("--front-end", settings->front_end, "on, off: compare with what Clang makes of C (dialect hnc)")
       ->type_name("ON")
-      ->check(CLI::IsMember({"on", "off", "only"}))
+      ->check(OneOf({"on", "off", "only"}))
       ->group("Limits");
   command->add_flag("-q,--quiet", settings->quiet, "Tell only what is not proved")->group("Output");
   command->footer(kVerifyFooter);

@@ -14,6 +14,7 @@
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/one_of.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
@@ -82,8 +83,8 @@ std::optional<scenarios::Scenario> ReadScenario(const WhySettings& settings) {
     return std::nullopt;
   }
   scenarios::Scenario scenario = std::move(std::get<scenarios::Scenario>(read));
-  if (scenario.sources.empty() && settings.common.sources.empty()) {
-    PrintUsageError(scenario.path + ": no 'sources': the scenario names no program");
+  if (const std::string why = scenarios::WhyNoProgram(scenario, settings.common.sources); !why.empty()) {
+    PrintUsageError(why);
     return std::nullopt;
   }
   if (!scenario.steps || scenario.steps->empty()) {
@@ -293,7 +294,7 @@ void AddWhy(CLI::App& app, Run& run) {
   command->add_option("--format", settings->form, "Form of the result: text, json")
       ->type_name("FORM")
       ->default_str("text")
-      ->check(CLI::IsMember({"text", "json"}));
+      ->check(OneOf({"text", "json"}));
   command->footer(kWhyFooter);
   command->callback([settings, &run] { run = [settings] { return RunWhy(*settings); }; });
 }

@@ -21,12 +21,6 @@ std::optional<Kind> FindHost(std::string_view text) {
   return std::nullopt;
 }
 
-std::string HostNames() {
-  std::string names;
-  for (const HostRow& row : Hosts()) names += (names.empty() ? "" : ", ") + std::string(row.text);
-  return names;
-}
-
 std::vector<std::string> HostFiles(const std::string& program, Kind kind) {
   std::vector<std::string> files = {program + "_pins.hpp", program + "_pins.cpp"};
   switch (kind) {

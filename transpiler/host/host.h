@@ -30,8 +30,6 @@ struct HostRow {
 };
 const std::vector<HostRow>& Hosts();
 std::optional<Kind> FindHost(std::string_view text);
-/// "own, posix, linuxcnc, modbus"
-std::string HostNames();
 
 /// The files of a host, of a program that was legalized with EmitOptions::simulated; none of kOwn. Pins that cannot be
 /// are reported, and then nothing is written.

@@ -37,6 +37,11 @@ std::string KeyOf(const compilation::CompilationRequest& request) {
   return key;
 }
 
+std::string WhyNoProgram(const Scenario& scenario, const std::vector<std::string>& sources) {
+  if (!scenario.sources.empty() || !sources.empty()) return {};
+  return scenario.path + ": no 'sources': the scenario names no program";
+}
+
 compilation::CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& overrides) {
   compilation::CompilationRequest request;
   if (scenario.program) {

@@ -26,6 +26,9 @@ struct ProgramOverrides {
   diag::WarningOptions warnings;
 };
 
+/// What is wrong with one that names no program, where `sources` of the command line name none either; empty: it does.
+std::string WhyNoProgram(const Scenario& scenario, const std::vector<std::string>& sources);
+
 /// The request of a scenario. Warnings that it lists are switched on.
 compilation::CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& overrides);
 

@@ -15,6 +15,7 @@
 #include "transpiler/engines/compiled_engine.h"
 #include "transpiler/engines/lockstep.h"
 #include "transpiler/fleet/fleet_engine.h"
+#include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/expected_diagnostics.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/property_machine.h"
@@ -52,9 +53,8 @@ class Test {
   }
 
   ScenarioResult Run() {
-    if (scenario_.sources.empty() && options_.programs.sources.empty()) {
-      return End(TestOutcome::kUnusable, scenario_.path + ": no 'sources': the scenario names no program");
-    }
+    std::string no_program = WhyNoProgram(scenario_, options_.programs.sources);
+    if (!no_program.empty()) return End(TestOutcome::kUnusable, std::move(no_program));
     const compilation::Compilation& compilation = program_.Compiled();
     if (compilation.wrong_use && !scenario_.expect_error) {  // its options, its dialect
       return End(TestOutcome::kUnusable,

@@ -264,13 +264,15 @@ std::string ToJson(const Record& record) {
 }
 
 std::variant<Record, std::string> ReadRecord(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) return "it is no record of a soak: this is no JSON, or it ends too early";
   try {
     Record record;
-    std::string wrong = ReadFrom(Json::parse(text), record);
+    std::string wrong = ReadFrom(json, record);
     if (wrong.empty()) return record;
     return wrong;
-  } catch (const Json::exception& error) {
-    return "it is no record of a soak: " + std::string(error.what());
+  } catch (const Json::exception&) {
+    return "it is no record of a soak: a field is missing, or has a value of another kind";
   }
 }
 

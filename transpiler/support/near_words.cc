@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "transpiler/support/listed.h"
+
 namespace plcxx::support {
 
 size_t EditDistance(std::string_view a, std::string_view b) {
@@ -56,15 +58,13 @@ std::string DidYouMean(std::string_view word, std::span<const std::string> words
   return DidYouMean(word, views);
 }
 
-std::string DidYouMeanOneOf(std::string_view word, std::string_view listed) {
-  constexpr std::string_view kBetween = ", ";
-  std::vector<std::string_view> words;
-  while (!listed.empty()) {
-    const size_t end = std::min(listed.find(kBetween), listed.size());
-    words.push_back(listed.substr(0, end));
-    listed.remove_prefix(std::min(end + kBetween.size(), listed.size()));
-  }
-  return DidYouMean(word, words);
+std::string ThereAre(std::string_view word, std::span<const std::string_view> words) {
+  return DidYouMean(word, words) + "; there are: " + CommaSeparated(words);
+}
+
+std::string ThereAre(std::string_view word, std::span<const std::string> words) {
+  const std::vector<std::string_view> views(words.begin(), words.end());
+  return ThereAre(word, views);
 }
 
 }  // namespace plcxx::support

@@ -19,7 +19,8 @@ std::string_view NearestName(std::string_view name, std::span<const std::string_
 std::string DidYouMean(std::string_view word, std::span<const std::string_view> words);
 /// The same of texts.
 std::string DidYouMean(std::string_view word, std::span<const std::string> words);
-/// The same of names as a message lists them: "host, cortex-m4, rv64gc".
-std::string DidYouMeanOneOf(std::string_view word, std::string_view listed);
+/// The same with the words themselves: ", did you mean 'check'; there are: check, test".
+std::string ThereAre(std::string_view word, std::span<const std::string_view> words);
+std::string ThereAre(std::string_view word, std::span<const std::string> words);
 
 }  // namespace plcxx::support

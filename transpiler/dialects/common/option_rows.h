@@ -12,6 +12,7 @@
 
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/dialects/dialect.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::dialects {
@@ -38,11 +39,11 @@ const auto* FindOptionRow(const Rows& rows, std::string_view written, SameKey sa
   return row == std::end(rows) ? nullptr : &*row;
 }
 
-/// "retentive, tick", in the order of the rows.
+/// In the order of the rows.
 template <class Rows>
-std::string OptionKeys(Rows&& rows) {
-  std::string keys;
-  for (const auto& row : rows) keys += (keys.empty() ? "" : ", ") + std::string(row.info.key);
+std::vector<std::string_view> OptionKeys(Rows&& rows) {
+  std::vector<std::string_view> keys;
+  for (const auto& row : rows) keys.push_back(row.info.key);
   return keys;
 }
 
@@ -53,6 +54,14 @@ std::vector<OptionInfo> OptionInfos(const Rows& rows) {
   return infos;
 }
 
+/// `dialect`: its name.
+template <class Rows>
+void ReportUnknownOption(const Rows& rows, std::string_view key, std::string_view dialect, diag::Engine& diagnostics) {
+  const std::vector<std::string_view> keys = OptionKeys(rows);
+  diagnostics.Report({}, diag::UnknownOption, key, dialect, support::CommaSeparated(keys),
+                     support::DidYouMean(key, keys));
+}
+
 /// Reports unknown keys and values that do not fit; the settings of those that do. `dialect`: its name.
 template <class Settings, class Rows>
 Settings CheckOptionRows(const Rows& rows, const std::map<std::string, std::string>& options, std::string_view dialect,
@@ -61,8 +70,7 @@ Settings CheckOptionRows(const Rows& rows, const std::map<std::string, std::stri
   for (const auto& [key, value] : options) {
     const auto* row = FindOptionRow(rows, key, same);
     if (row == nullptr) {
-      diagnostics.Report({}, diag::UnknownOption, key, dialect, OptionKeys(rows),
-                         support::DidYouMeanOneOf(key, OptionKeys(rows)));
+      ReportUnknownOption(rows, key, dialect, diagnostics);
     } else if (!row->apply(value, settings)) {
       diagnostics.Report({}, diag::BadOptionValue, key, value, row->info.values);
     }

@@ -6,6 +6,7 @@
 
 #include "transpiler/dialects/common/option_rows.h"
 #include "transpiler/dialects/host50/machine/machine.h"
+#include "transpiler/support/listed.h"
 
 namespace plcxx::host50 {
 namespace {
@@ -58,8 +59,8 @@ const DirectiveOrOption* RowOf(std::string_view key) { return dialects::FindOpti
 
 /// Without the directives of their own.
 std::string OptionNames() {
-  return dialects::OptionKeys(kRows |
-                              std::views::filter([](const DirectiveOrOption& row) { return !row.is_directive; }));
+  return support::CommaSeparated(
+      dialects::OptionKeys(kRows | std::views::filter([](const DirectiveOrOption& row) { return !row.is_directive; })));
 }
 
 }  // namespace

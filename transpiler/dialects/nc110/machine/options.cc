@@ -203,8 +203,7 @@ void CheckOptions(const std::map<std::string, std::string>& options, diag::Engin
   for (const auto& [key, value] : options) {
     const auto* row = dialects::FindOptionRow(kRows, key, dialects::IsKey);
     if (row == nullptr) {
-      diagnostics.Report({}, diag::UnknownOption, key, "nc110", dialects::OptionKeys(kRows),
-                         support::DidYouMeanOneOf(key, dialects::OptionKeys(kRows)));
+      dialects::ReportUnknownOption(kRows, key, "nc110", diagnostics);
     } else if (!row->apply(value, scratch)) {
       if (key == "t-init" && IsInitialValueOutOfRange(value)) {
         diagnostics.Report({}, diag::Nc110InitialValue, value);
