@@ -513,6 +513,9 @@ TEST(HncLowering, ARefusedAssignmentHasNoSecondErrorAndARefusedComparisonHas) {
   EXPECT_THAT(Errors("int *p, *pq; a = nowhere == p\n; a = *p; a = *pq;"), ElementsAre("3 E010", "4 E050", "4 E050"));
   EXPECT_THAT(Errors("int *p, *qp; qp = nowhere; a = *p; a = *qp;"), ElementsAre("3 E010", "3 E050"));
   EXPECT_THAT(Errors("int *p, *q; p   = nowhere; a = *p; a = *q;"), ElementsAre("3 E010", "3 E050"));
+  // What was refused where it is declared is not refused where it is used as well.
+  EXPECT_THAT(Errors("struct s { int *p; } q; q.p = &a; *q.p = 1; a = q.p[1];"), ElementsAre("3 E050"));
+  EXPECT_THAT(Errors("int *t[2]; a = *t[0]; if (t[0] == t[1]) a = 1;"), ElementsAre("3 E050"));
 }
 
 // covers: HNC-346

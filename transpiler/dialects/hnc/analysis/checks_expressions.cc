@@ -94,11 +94,11 @@ class ExpressionChecks {
         [[fallthrough]];
       case StatementKind::kWhile:
       case StatementKind::kDo:
-        AssignmentInstead(statement.expression);
+        Condition(statement.expression);
         order(statement.expression);
         break;
       case StatementKind::kFor:
-        AssignmentInstead(statement.expression);
+        Condition(statement.expression);
         for (const ExprId expr : {statement.first, statement.expression, statement.step}) order(expr);
         if (statement.first.valid()) NoEffect(statement.first);
         if (statement.step.valid()) NoEffect(statement.step);
@@ -205,13 +205,16 @@ class ExpressionChecks {
         break;
       case ExprKind::kAnd:
       case ExprKind::kOr:
-        AssignmentInstead(expr.a);
-        AssignmentInstead(expr.b);
+        Condition(expr.a);
+        Condition(expr.b);
         LogicalConstant(expr, expr.a);
         LogicalConstant(expr, expr.b);
         break;
       case ExprKind::kConditional:
-        AssignmentInstead(expr.a);
+        Condition(expr.a);
+        break;
+      case ExprKind::kUnary:
+        if (expr.unary == UnaryOp::kNot) TruthAlwaysTheSame(expr.a);
         break;
       case ExprKind::kConvert:
         LosesDigits(expr);
@@ -230,7 +233,6 @@ class ExpressionChecks {
       case ExprKind::kDecay:
       case ExprKind::kCast:
       case ExprKind::kNull:
-      case ExprKind::kUnary:
       case ExprKind::kComma:
       case ExprKind::kAssign:
       case ExprKind::kCompoundAssign:
@@ -284,6 +286,23 @@ class ExpressionChecks {
     const Bounds a = PossibleBounds(expr.a), b = PossibleBounds(expr.b);
     const std::optional<bool> outcome = OutcomeOf(expr.binary, a, b);
     if (outcome) context_.diagnostics.Report(expr.range, diag::HncConditionConstant, *outcome ? "true" : "false");
+  }
+
+  /// W16 of what is a condition without a comparison, such as a mask that the operand's type has no bit of.
+  void TruthAlwaysTheSame(ExprId id) {
+    id = Unconverted(id);
+    if (!HasType(id) || !IsInteger(unit_.TypeOf(id))) return;
+    const Expr& expr = At(id);
+    if (expr.kind != ExprKind::kBinary || Compares(expr) || expr.constant) return;
+    const Bounds bounds = PossibleBounds(id);
+    const std::optional<bool> outcome = OutcomeOf(BinaryOp::kNotEqual, bounds, {0, 0});
+    if (outcome) context_.diagnostics.Report(expr.range, diag::HncConditionConstant, *outcome ? "true" : "false");
+  }
+
+  /// Where only zero or not zero counts.
+  void Condition(ExprId id) {
+    AssignmentInstead(id);
+    TruthAlwaysTheSame(id);
   }
 
   /// W16 of cases that the selector's own type never has.

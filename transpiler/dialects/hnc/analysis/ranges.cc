@@ -36,6 +36,9 @@ int64_t Ones(int64_t value) {
   return ones;
 }
 
+/// The bits that some value within these bounds has; `bounds` are not below 0.
+int64_t MayBeSet(const Bounds& bounds) { return bounds.IsOne() ? bounds.high : Ones(bounds.high); }
+
 std::optional<Bounds> Remainder(const Bounds& a, const Bounds& b) {
   if (b.Holds(0)) return std::nullopt;
   const int64_t most = std::max(std::abs(b.low), std::abs(b.high)) - 1;
@@ -73,7 +76,7 @@ std::optional<Bounds> Apply(BinaryOp op, const Bounds& a, const Bounds& b, const
       if (b.low < 0 || b.high >= type.bits || a.low < 0) return std::nullopt;
       return Bounds{a.low >> b.high, a.high >> b.low};
     case BinaryOp::kBitAnd:
-      if (a.low >= 0 && b.low >= 0) return Bounds{0, std::min(a.high, b.high)};
+      if (positive) return Bounds{0, std::min({a.high, b.high, MayBeSet(a) & MayBeSet(b)})};
       if (a.low >= 0) return Bounds{0, a.high};
       if (b.low >= 0) return Bounds{0, b.high};
       return std::nullopt;

@@ -188,6 +188,8 @@ Address Addresses::EvaluatePointer(ExprId id) {
       // A table of string literals: its elements are the numbers of the strings.
       Address address;
       address.targets = facts_.TargetsOf(table);
+      address.reported = address.targets.objects.empty() && diagnostics_.HasErrors();  // no table of literals
+      if (address.reported) return address;
       Lvalue element = EvaluateLvalue(expr.a);
       address.object = accesses_.LoadAt(element.address, ir::Type::kI16, expr.a);
       return address;
@@ -234,8 +236,13 @@ Address Addresses::EvaluatePointer(ExprId id) {
     case ExprKind::kMember:
       break;
   }
-  // Of what has been refused an error is there.
-  if (diagnostics_.HasErrors()) return {};
+  // Of what has been refused an error is there; of a member or an element where it is declared, so that an access
+  // through it gives none of its own.
+  if (diagnostics_.HasErrors()) {
+    Address refused;
+    refused.reported = expr.kind == ExprKind::kLoad;
+    return refused;
+  }
   return RefusedPointer(expr, "is no variable of its own");
 }
 

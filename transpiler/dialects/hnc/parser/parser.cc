@@ -123,10 +123,15 @@ class Reporter {
     for (const Finding& finding : findings) {
       if (finding.row.key == diag::HncDivisionByZero.row.key) divisions.insert(LineOf(finding.range));
     }
+    std::set<source::Offset> conflicts;  // a name that disagrees with its header is not undefined as well
     for (const Finding& finding : findings) {
       const bool explained =
           finding.row.key == diag::HncConstantRequired.row.key && divisions.contains(LineOf(finding.range));
-      if (!explained && !Follows(finding)) Report(finding);
+      const bool is_conflict = finding.row.code == diag::HncConflictingTypes.row.code;
+      const bool is_undefined = finding.row.code == diag::HncUndefinedFunction.row.code;
+      const bool told = (is_conflict || is_undefined) && conflicts.contains(finding.range.begin);
+      if (is_conflict) conflicts.insert(finding.range.begin);
+      if (!explained && !told && !Follows(finding)) Report(finding);
     }
   }
 

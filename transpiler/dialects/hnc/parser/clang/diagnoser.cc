@@ -326,8 +326,7 @@ source::Range Diagnoser::RangeOf(const clang::Diagnostic& info) const {
   const clang::SourceLocation place = syntax && session_.parser->getCurToken().getLocation().isValid()
                                           ? session_.parser->getCurToken().getLocation()
                                           : info.getLocation();
-  if (session_.places.InProduct(place)) return session_.output.unit.last_token;
-  const source::Range range = session_.places.OfToken(place);
+  const source::Range range = session_.places.OfToken(session_.places.IncludedAt(place));
   return range.begin == 0 ? session_.output.unit.last_token : range;
 }
 
@@ -543,7 +542,9 @@ void Diagnoser::AddNote(const clang::Diagnostic& info) {
     case cd::note_previous_definition:
     case cd::note_previous_declaration:
     case cd::note_previous_implicit_declaration:
-      return add("the other one is here");
+      if (!last_is_in_product_) return add("the other one is here");
+      session_.findings().all().back().range = session_.places.OfToken(info.getLocation());
+      return;
     case cd::note_duplicate_case_prev: {
       // Clang walks through the labels from the last to the first.
       Finding& finding = session_.findings().all().back();
@@ -588,6 +589,7 @@ void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const cl
     }
   }
   reported_last_ = session_.findings().all().size() > before;
+  last_is_in_product_ = session_.places.InProduct(info.getLocation());
   if (session_.parser == nullptr || !reported_last_) return;
   if (session_.findings().all().back().row.severity == diag::Severity::kError && ++errors_ == kMostErrors)
     session_.Stop();

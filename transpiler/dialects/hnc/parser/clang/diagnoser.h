@@ -43,9 +43,10 @@ class Diagnoser : public clang::DiagnosticConsumer {
   Session& session_;
   std::set<std::string> mistyped_;  // names whose declarations have no type
   uint32_t near_searches_ = 0;
-  uint32_t errors_ = 0;         // of the parser
-  source::Range folded_size_;   // of an array, where the last diagnostic was of that
-  bool reported_last_ = false;  // a note belongs to the last finding
+  uint32_t errors_ = 0;              // of the parser
+  source::Range folded_size_;        // of an array, where the last diagnostic was of that
+  bool reported_last_ = false;       // a note belongs to the last finding
+  bool last_is_in_product_ = false;  // where its header disagrees with what the program says of a name before
 };
 
 std::string Quoted(const std::string& text);

@@ -127,6 +127,12 @@ source::Range Places::Of(clang::SourceLocation first, clang::SourceLocation last
   return {range.begin, std::max(range.begin, range.end)};
 }
 
+clang::SourceLocation Places::IncludedAt(clang::SourceLocation place) const {
+  const clang::SourceManager& sources = clang_.getSourceManager();
+  while (place.isValid() && InProduct(place)) place = sources.getIncludeLoc(sources.getFileID(FirstOf(place)));
+  return place;
+}
+
 bool Places::InProduct(clang::SourceLocation place) const {
   if (place.isInvalid()) return true;
   const clang::SourceLocation first = FirstOf(place);

@@ -32,6 +32,8 @@ class Places {
   source::Range OfToken(clang::SourceLocation token) const { return Of(token, token); }
   /// Does the place stand in a header of the product, not in a use of its macros?
   bool InProduct(clang::SourceLocation place) const;
+  /// Of a place in a header of the product, where the program includes it; invalid: it does not.
+  clang::SourceLocation IncludedAt(clang::SourceLocation place) const;
 
  private:
   /// What Clang numbers places by: one entry for each inclusion of a file and each expansion of a macro. Its own search

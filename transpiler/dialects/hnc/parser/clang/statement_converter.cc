@@ -96,8 +96,7 @@ StatementId StatementConverter::Expression(const clang::Expr* expr) {
   const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(expr->IgnoreParenImpCasts());
   const auto* function = name == nullptr ? nullptr : llvm::dyn_cast<clang::FunctionDecl>(name->getDecl());
   if (function != nullptr) {
-    findings().Report(RangeOf(name), diag::HncFunctionPointer,
-                      "'" + function->getNameAsString() + "' is not called, the brackets behind it are missing");
+    findings().Report(RangeOf(name), diag::HncFunctionNotCalled, function->getNameAsString());
     result.kind = StatementKind::kEmpty;
   }
   if (result.kind == StatementKind::kExpression) result.expression = expressions_.Convert(expr);
