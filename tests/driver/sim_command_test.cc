@@ -137,6 +137,8 @@ TEST_F(Sim, WordsThatMeanNothing) {
     EXPECT_EQ(ran.code, 2) << arguments << "\n" << ran;
     EXPECT_THAT(ran.errors, HasSubstr("error:")) << arguments;
   }
+  EXPECT_THAT(Run("--force U4A0=7").errors, HasSubstr("value 7 does not fit: 'U4A0' takes 0 to 1"));
+  EXPECT_THAT(Run("--force U4A0=x").errors, HasSubstr("'x' is no value: 'U4A0' takes 0 to 1"));
   std::string many = "--watch U4A0";
   for (int i = 1; i < 17; ++i) many += ",U4A" + std::to_string(i);
   EXPECT_THAT(Run(many).errors, HasSubstr("up to 16"));

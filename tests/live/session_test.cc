@@ -178,7 +178,7 @@ TEST(Session, StatementsOffAndOn) {
 TEST(Session, WhatIsWrongIsSaid) {
   LiveBench bench;
   EXPECT_THAT(bench.session->Set("U4A", "1"), HasSubstr("no location of nc110"));
-  EXPECT_THAT(bench.session->Set("I0A3", "2"), HasSubstr("no value that fits"));
+  EXPECT_THAT(bench.session->Set("I0A3", "2"), HasSubstr("value 2 does not fit: 'I0A3' takes 0 to 1"));
   EXPECT_THAT(bench.session->Toggle("W2K2"), HasSubstr("only a bit"));
   EXPECT_THAT(bench.session->SwitchStatement(ir::StatementId(999), false), HasSubstr("no such statement"));
   EXPECT_THAT(bench.session->Step(StepKind::kFast), HasSubstr("no such part"));

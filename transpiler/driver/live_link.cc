@@ -115,8 +115,9 @@ bool LinkSession::FindValues(const std::vector<std::string>& assignments, std::v
       return UsageError("'" + assignment + "' has no value: write LOCATION=VALUE"), false;
     Linked& linked = found.emplace_back();
     if (!Locate(std::string_view(assignment).substr(0, equals), linked)) return false;
-    const auto value = live::FindValue(compilation_, linked.location, std::string_view(assignment).substr(equals + 1));
-    if (const auto* reason = std::get_if<std::string>(&value)) return UsageError(linked.name + ": " + *reason), false;
+    const auto value =
+        live::FindValue(compilation_, linked.name, linked.location, std::string_view(assignment).substr(equals + 1));
+    if (const auto* reason = std::get_if<std::string>(&value)) return UsageError(*reason), false;
     linked.value = std::get<uint64_t>(value);
     if (std::ranges::count(found, linked.name, &Linked::name) > 1) {
       return UsageError("'" + linked.name + "' is given two values"), false;

@@ -90,7 +90,9 @@ bool Planner::TakeAssignment(std::string_view text, SimValue& value) {
   if (location.absent) return Fail(Quoted(text.substr(0, equals)) + " does not exist in this program");
   const std::optional<uint64_t> parsed =
       scenarios::ParseScenarioValue(written, location.place.type, *compilation_.dialect);
-  if (!parsed) return Fail(Quoted(written) + " is no value for " + std::string(text.substr(0, equals)));
+  if (!parsed) {
+    return Fail(scenarios::WhyNoValue(written, location.place.type, text.substr(0, equals), *compilation_.dialect));
+  }
   value.value = scenarios::FittingField(location, *parsed);
   return true;
 }

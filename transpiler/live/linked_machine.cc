@@ -302,7 +302,7 @@ Refusal LinkedMachine::ChangeValue(Connection& connection, Change change, const 
   const Found found = Find(connection, name);
   if (const auto* refusal = std::get_if<Refusal>(&found)) return *refusal;
   const auto& place = std::get<WatchedCells>(found);
-  const auto bits = FindValue(session_.compilation(), place.location, value);
+  const auto bits = FindValue(session_.compilation(), name, place.location, value);
   if (const auto* refusal = std::get_if<std::string>(&bits)) return *refusal;
   const uint64_t number = std::get<uint64_t>(bits);
   if (change == Change::kWrite) return connection.target->Write(place.cells, number);

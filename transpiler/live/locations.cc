@@ -27,10 +27,10 @@ std::string CannotBeForced(const compilation::Compilation& compilation, const di
   return {};
 }
 
-std::variant<uint64_t, std::string> FindValue(const compilation::Compilation& compilation,
+std::variant<uint64_t, std::string> FindValue(const compilation::Compilation& compilation, std::string_view name,
                                               const dialects::Location& location, std::string_view text) {
   const std::optional<uint64_t> value = scenarios::ParseScenarioValue(text, location.place.type, *compilation.dialect);
-  if (!value) return "'" + std::string(text) + "' is no value that fits";
+  if (!value) return scenarios::WhyNoValue(text, location.place.type, name, *compilation.dialect);
   return scenarios::FittingField(location, *value);
 }
 

@@ -18,8 +18,8 @@ std::variant<dialects::Location, std::string> FindLocation(const dialects::Diale
 /// Why it cannot be forced; empty: it can.
 std::string CannotBeForced(const compilation::Compilation& compilation, const dialects::Location& location);
 
-/// The value that memory takes, or why the text is none.
-std::variant<uint64_t, std::string> FindValue(const compilation::Compilation& compilation,
+/// The value that memory takes, or why the text is none for what is called `name`.
+std::variant<uint64_t, std::string> FindValue(const compilation::Compilation& compilation, std::string_view name,
                                               const dialects::Location& location, std::string_view text);
 
 }  // namespace plcxx::live

@@ -45,7 +45,7 @@ Refusal Session::Set(const std::string& name, const std::string& value) {
     if (value.size() > kMostTyped) return "the text is too long";
     return Do({.kind = ActionKind::kText, .name = name, .location = location, .text = value, .statement = {}});
   }
-  const auto bits = FindValue(compilation_, location, value);
+  const auto bits = FindValue(compilation_, name, location, value);
   if (const auto* refusal = std::get_if<std::string>(&bits)) return *refusal;
   return Do({.kind = ActionKind::kSet,
              .name = name,
@@ -70,7 +70,7 @@ Refusal Session::Force(const std::string& name, const std::string& value) {
   if (const auto* refusal = std::get_if<std::string>(&found)) return *refusal;
   const auto& location = std::get<dialects::Location>(found);
   if (std::string why = CannotBeForced(compilation_, location); !why.empty()) return why;
-  const auto bits = FindValue(compilation_, location, value);
+  const auto bits = FindValue(compilation_, name, location, value);
   if (const auto* refusal = std::get_if<std::string>(&bits)) return *refusal;
   return Do({.kind = ActionKind::kForce,
              .name = name,

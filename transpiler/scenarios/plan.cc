@@ -190,10 +190,7 @@ class ScenarioPlanner {
 
   uint64_t Value(const MarkedText& text, ir::Type type, const std::string& owner) {
     if (const std::optional<uint64_t> value = ParseScenarioValue(text.text, type, dialect_)) return *value;
-    const std::string range = "'" + owner + "' takes " + RangeText(type);
-    Fail(text.mark, ParseScenarioValue(text.text, ir::Type::kI64, dialect_)
-                        ? "value " + text.text + " does not fit: " + range
-                        : "'" + text.text + "' is no value: " + range);
+    Fail(text.mark, WhyNoValue(text.text, type, owner, dialect_));
     return 0;
   }
 
@@ -277,6 +274,14 @@ std::optional<uint64_t> ParseScenarioValue(std::string_view text, ir::Type type,
   if (!value) value = whole(text);
   if (!value || *value > Largest(type)) return std::nullopt;
   return value;
+}
+
+std::string WhyNoValue(std::string_view text, ir::Type type, std::string_view owner, const dialects::Dialect& dialect) {
+  const std::string range = "'" + std::string(owner) + "' takes " + RangeText(type);
+  if (ParseScenarioValue(text, ir::Type::kI64, dialect)) {
+    return "value " + std::string(text) + " does not fit: " + range;
+  }
+  return "'" + std::string(text) + "' is no value: " + range;
 }
 
 std::variant<ScenarioPlan, std::vector<ScenarioError>> PlanScenario(const Scenario& scenario,

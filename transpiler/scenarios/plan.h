@@ -60,5 +60,7 @@ std::variant<ScenarioPlan, std::vector<ScenarioError>> PlanScenario(const Scenar
 /// or -inf; a dialect's own spelling is a whole number there, of 32 bits with a sign. Where the
 /// dialect's values wrap, a whole number is taken modulo 2^width. None when the text is no value or does not fit.
 std::optional<uint64_t> ParseScenarioValue(std::string_view text, ir::Type type, const dialects::Dialect& dialect);
+/// Of a text for which there is none: "value 7 does not fit: 'U4A0' takes 0 to 1".
+std::string WhyNoValue(std::string_view text, ir::Type type, std::string_view owner, const dialects::Dialect& dialect);
 
 }  // namespace plcxx::scenarios
