@@ -110,6 +110,16 @@ def main():
         expect(other.stdout != first.stdout, "another seed does the same", other)
         expect(not (work / "corpus").exists(), "without -o something is written")
 
+        # Hundreds side by side find it, too, and how many threads there are makes no difference.
+        wide = [soak(work, *door, "--engine", "fleet", "--for", "40h", "-o", name, "--jobs", jobs) for name, jobs in (("wide", "1"), ("wide again", "2"))]
+        expect(all(one.returncode == 1 and "never U4A0 and U4A1" in one.stdout for one in wide), "a fleet finds nothing", wide[0])
+        expect("of 1024 machines" in wide[0].stdout, "the machines of a fleet", wide[0])
+        same_folders(work / "wide", work / "wide again")
+        for arguments, words in ((["--machines", "700"], "multiple of 512"), (["--shard", "1/4"], "for each of 4 parts"),
+                                 (["--cxx", "no-such-compiler"], "no-such-compiler")):
+            wrong = soak(work, *door, "--engine", "fleet", *arguments)
+            expect(wrong.returncode == 2 and words in wrong.stderr, words, wrong)
+
         # What was found is a scenario that fails, and the shortest one.
         found = "property-never-u4a0-and-u4a1.yaml"
         expect(found in names and "coverage.html" in names, f"not written: {names}")

@@ -21,6 +21,7 @@
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/soak_files.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/engines/platform.h"
 #include "transpiler/scenarios/known_runs.h"
 #include "transpiler/scenarios/property_machine.h"
 #include "transpiler/soak/simulated_machines.h"
@@ -38,6 +39,7 @@ The same seed, machines and hours give the same bytes, whatever --jobs is; with 
 
 Examples:
   plcxx soak                                           an hour of 16 machines of the program of the plcxx.yaml here
+  plcxx soak --engine fleet --for 1000h                1,024 machines, most of them side by side in one processor
   plcxx soak --for 100h --jobs 8 -o soak               and what is found, and worth keeping, in the folder
   plcxx soak lathe.sym lathe.plc --property safe.prop  these sources, these properties
   plcxx soak --plant project                           the machine moves as its plant does, the operator as nobody would
@@ -48,14 +50,28 @@ docs/soak.md tells more. Exit codes: 0 nothing found, 1 something found, or the 
 
 constexpr uint64_t kMsPerHour = 3'600'000, kMostHours = 10'000'000;
 constexpr uint32_t kMostMachines = 1'000'000;
+constexpr const char *kSimulator = "sim", *kFleet = "fleet";
+
+/// What an engine runs when nobody says it: about as long in both.
+struct Extent {
+  uint32_t machines;
+  const char* length;
+};
+Extent ExtentOf(const std::string& engine) {
+  if (engine == kFleet) return {.machines = 2 * soak::kWideMachines, .length = "300h"};
+  return {.machines = 16, .length = "1h"};
+}
 
 struct SoakSettings {
   CommonOptions common;
   std::vector<std::string> files;  // of properties
   std::optional<std::string> until;
-  std::string length = "1h", time, shard, directory, merge, form = "text";
+  std::optional<std::string> length;
+  std::string time, shard, directory, merge, form = "text";
   std::string plant;  // a file, or kPlantOfProject; empty: nothing moves by itself
-  uint32_t machines = 16, jobs = 1;
+  std::string engine = kSimulator, compiler;
+  std::optional<uint32_t> machines;
+  uint32_t jobs = 1;
   uint64_t seed = 1;
 };
 
@@ -91,12 +107,23 @@ std::optional<Shard> ShardOf(const std::string& text) {
   return Shard{.number = *one, .count = *count};
 }
 
+/// None: the compiler is not there; reported.
+std::optional<std::string> CompilerOf(const SoakSettings& settings) {
+  std::string compiler = settings.compiler.empty() ? engines::FindCompiler() : settings.compiler;
+  if (!compiler.empty()) return compiler;
+  PrintUsageError("there is no C++ compiler for '--engine fleet': install g++ or name one with --cxx");
+  return std::nullopt;
+}
+
 int RunSoak(const SoakSettings& asked) {
   SoakSettings settings = asked;
   settings.directory = FolderOf(asked.common, asked.directory);
-  const std::optional<uint64_t> length = LengthMs(settings.length);
+  const Extent extent = ExtentOf(settings.engine);
+  const uint32_t machines = settings.machines.value_or(extent.machines);
+  const std::string for_length = settings.length.value_or(extent.length);
+  const std::optional<uint64_t> length = LengthMs(for_length);
   if (!length || *length == 0) {
-    return UsageError("'--for " + settings.length + "' is no time: write it as in 100h, 30min or 90s");
+    return UsageError("'--for " + for_length + "' is no time: write it as in 100h, 30min or 90s");
   }
   std::optional<uint64_t> time_ms;
   if (!settings.time.empty()) {
@@ -107,10 +134,19 @@ int RunSoak(const SoakSettings& asked) {
   const std::optional<Shard> shard = ShardOf(settings.shard);
   if (!shard)
     return UsageError("'--shard " + settings.shard + "' is no part: write it as in 2/8, for the second of eight");
-  if (shard->count > settings.machines) {
-    return UsageError("--shard " + settings.shard + ": there are " + std::to_string(settings.machines) +
+  if (shard->count > machines) {
+    return UsageError("--shard " + settings.shard + ": there are " + std::to_string(machines) +
                       " machines to be split; --machines gives more");
   }
+  const bool is_fleet = settings.engine == kFleet;
+  if (is_fleet && machines % (soak::kWideMachines * shard->count) != 0) {
+    const std::string side_by_side = std::to_string(soak::kWideMachines);
+    return UsageError("--engine fleet runs " + side_by_side + " machines side by side: " + std::to_string(machines) +
+                      " is no multiple of " + side_by_side +
+                      (shard->count == 1 ? "" : " for each of " + std::to_string(shard->count) + " parts"));
+  }
+  const std::optional<std::string> compiler = is_fleet ? CompilerOf(settings) : std::string();
+  if (!compiler) return kWrongUse;
 
   ChosenProperties chosen;
   chosen.files = settings.files;
@@ -147,7 +183,7 @@ int RunSoak(const SoakSettings& asked) {
   const soak::Inputs inputs(machine, plant->get());
   const soak::Goals goals(machine.compilation.program);
   const soak::WatchPlan plan(machine, std::move(properties));
-  const uint32_t own = (settings.machines - shard->number) / shard->count + 1;
+  const uint32_t own = (machines - shard->number) / shard->count + 1;
   if (!settings.directory.empty() && !CanBeWritten({PathIn(settings.directory, kSoakRecord)})) return kWrongUse;
   soak::SoakRequest request{
       .machine = machine,
@@ -159,7 +195,7 @@ int RunSoak(const SoakSettings& asked) {
       .machines = own,
       .first_machine = shard->number - 1,
       .every = shard->count,
-      .machine_ms = (*length * own + settings.machines - 1) / settings.machines,
+      .machine_ms = (*length * own + machines - 1) / machines,
       .end = {},
       .jobs = settings.jobs != 0 ? settings.jobs : std::max(1U, std::thread::hardware_concurrency()),
       .seed = settings.seed,
@@ -169,6 +205,12 @@ int RunSoak(const SoakSettings& asked) {
   if (*plant) {
     soak::LeaveToPlant(**plant, machine.compilation, request.scenarios);
     soak::LeaveToPlant(**plant, machine.compilation, request.corpus);
+  }
+  if (is_fleet) {
+    progress.Show("compiling " + std::to_string(soak::kWideMachines) + " machines");
+    auto wide = soak::CompileWide(machine.compilation, *plant, goals, plan, {.compiler = *compiler});
+    if (const auto* const failure = std::get_if<std::string>(&wide)) return UsageError("--engine fleet: " + *failure);
+    request.wide = std::get<std::shared_ptr<const soak::WideProgram>>(std::move(wide));
   }
   request.until = settings.until;
   if (time_ms) request.end = std::chrono::steady_clock::now() + std::chrono::milliseconds(*time_ms);
@@ -212,13 +254,22 @@ void AddSoak(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("soak", "Run many machines with random inputs, and keep what goes wrong");
   const auto settings = std::make_shared<SoakSettings>();
   AddCommonOptions(*command, settings->common);
-  command->add_option("--machines", settings->machines, "Machines that run beside each other")
+  command
+      ->add_option("--engine", settings->engine,
+                   "What runs them: sim, one by one in the simulator; fleet, 512 side by side in code compiled for "
+                   "this processor")
+      ->type_name("ENGINE")
+      ->default_str(kSimulator)
+      ->check(CLI::IsMember({kSimulator, kFleet}));
+  command->add_option("--cxx", settings->compiler, "C++ compiler for --engine fleet; else $CXX, c++, g++, clang++")
+      ->type_name("CMD");
+  command->add_option("--machines", settings->machines, "Machines that run beside each other: 16, in a fleet 1024")
       ->type_name("N")
-      ->default_str("16")
       ->check(CLI::Range(1U, kMostMachines));
-  command->add_option("--for", settings->length, "Machine-hours of all together, as in 100h, 30min or 90s")
-      ->type_name("TIME")
-      ->default_str("1h");
+  command
+      ->add_option("--for", settings->length,
+                   "Machine-hours of all together, as in 100h, 30min or 90s: 1h, in a fleet 300h")
+      ->type_name("TIME");
   command->add_option("--time", settings->time, "Ends after so much real time, as in 60s or 8h")->type_name("TIME");
   command->add_option("--until", settings->until, "Ends with a finding whose text has these words; '' takes any")
       ->type_name("TEXT");

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "plcxx/texts.h"
 #include "transpiler/support/check.h"
 
 namespace plcxx::fleet {
@@ -87,6 +88,18 @@ bool Fleet::Bit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit) 
   return PlaneBit(home.planes[bit], lane);
 }
 
+uint8_t Fleet::Byte(unsigned lane, ir::SpaceId space, uint32_t offset) const {
+  const auto& homes = library_->layout.bytes[space.index];
+  if (offset >= homes.size()) return 0;
+  const ByteHome& home = homes[offset];
+  if (home.is_scalar()) return scalars_[home.scalar];
+  unsigned byte = 0;
+  for (unsigned bit = 0; bit < 8; ++bit) {
+    if (home.planes[bit] != kNowhere) byte |= (PlaneBit(home.planes[bit], lane) ? 1U : 0U) << bit;
+  }
+  return static_cast<uint8_t>(byte);
+}
+
 void Fleet::SetBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit, bool value) {
   if (!Holds(space, offset, bit)) return;
   const ByteHome& home = library_->layout.At(space.index, offset);
@@ -131,31 +144,23 @@ void Fleet::SetField(unsigned lane, ir::StateId state, uint8_t field, uint64_t v
   SetPlanesOfField(lane, state, field, value, element);
 }
 
-/// Calls visit(offset, bit, bit of the value) for each bit of a place in memory.
-template <class Visit>
-void Fleet::ForEachPart(const ir::Place& place, Visit&& visit) const {
-  const sim::PlaceAccess access = sim::AccessTo(program(), place);
-  if (access.kind == sim::AccessKind::kAbsent) return;
-  if (access.kind == sim::AccessKind::kBit) return visit(access.offset, access.bit, 0u);
-  for (uint32_t i = 0; i < access.bytes; ++i) {
-    const uint32_t significance = access.big_endian ? access.bytes - 1 - i : i;
-    for (uint8_t bit = 0; bit < 8; ++bit) visit(access.offset + i, bit, 8 * significance + bit);
-  }
-}
-
 uint64_t Fleet::Read(unsigned lane, const ir::Place& place) const {
   if (place.is_field()) return Field(lane, place.state, place.field);
+  const sim::PlaceAccess access = sim::AccessTo(program(), place);
+  if (access.kind == sim::AccessKind::kAbsent) return 0;
+  if (access.kind == sim::AccessKind::kBit) return Bit(lane, place.space, access.offset, access.bit) ? 1 : 0;
   uint64_t value = 0;
-  ForEachPart(place, [&](uint32_t offset, uint8_t bit, uint32_t at) {
-    value |= uint64_t{Bit(lane, place.space, offset, bit)} << at;
-  });
+  for (uint32_t i = 0; i < access.bytes; ++i) {
+    const uint32_t significance = access.big_endian ? access.bytes - 1 - i : i;
+    value |= uint64_t{Byte(lane, place.space, access.offset + i)} << (8 * significance);
+  }
   return value;
 }
 
 void Fleet::Write(unsigned lane, const ir::Place& place, uint64_t value) {
   if (place.is_field()) return SetField(lane, place.state, place.field, value);
-  ForEachPart(place, [&](uint32_t offset, uint8_t bit, uint32_t at) {
-    SetBit(lane, place.space, offset, bit, (value >> at & 1) != 0);
+  sim::ForEachBitOf(program(), place, [&](ir::SpaceId space, uint32_t offset, uint8_t bit, uint32_t at) {
+    SetBit(lane, space, offset, bit, (value >> at & 1) != 0);
   });
 }
 
@@ -211,6 +216,44 @@ void Fleet::StoreRetentive(const uint64_t* mask) {
 }
 
 void Fleet::StoreRetentive() { StoreRetentive(AllLanes().data()); }
+
+void Fleet::StoreRetentive(unsigned lane) {
+  LaneSet one(lanes() / 64, 0);
+  one[lane / 64] = uint64_t{1} << (lane % 64);
+  StoreRetentive(one.data());
+}
+
+void Fleet::SendText(unsigned lane, std::string_view text) {
+  const ir::StateId inbox = program().text_inbox;
+  if (!inbox.valid()) return;
+  const auto field = [](std::string_view name) { return ir::FieldIndex(ir::StateKind::kTextInbox, name); };
+  plcxx::TextInbox box{};
+  for (uint32_t i = 0; i < plcxx::kLongestText; ++i)
+    box.text[i] = static_cast<char>(Field(lane, inbox, field("text"), i));
+  box.length = static_cast<uint8_t>(Field(lane, inbox, field("length")));
+  plcxx::SendText(box, text.data(), text.size());
+  for (uint32_t i = 0; i < plcxx::kLongestText; ++i)
+    SetField(lane, inbox, field("text"), static_cast<unsigned char>(box.text[i]), i);
+  SetField(lane, inbox, field("length"), box.length);
+  SetField(lane, inbox, field("pending"), box.pending ? 1 : 0);
+}
+
+void Fleet::BecomeAll(const Fleet& other, unsigned lane) {
+  PLCXX_CHECK(library_ == other.library_ && forced_ == nullptr);
+  const Layout& layout = library_->layout;
+  const size_t words = lanes() / 64;
+  const auto of_lane = [lane](const uint64_t* from) {
+    return (from[lane / 64] >> (lane % 64) & 1) != 0 ? ~uint64_t{0} : 0;
+  };
+  for (size_t at = 0; at < layout.planes * words; at += words)
+    std::fill_n(words_ + at, words, of_lane(other.words_ + at));
+  std::copy_n(other.clocks_, layout.clock_count, clocks_);
+  std::copy_n(other.scalars_, layout.scalars, scalars_);
+  std::fill_n(touched_, Blocks(layout), uint8_t{1});
+  for (size_t at = 0; at < stored_planes_.size(); at += words)
+    std::fill_n(&stored_planes_[at], words, of_lane(&other.stored_planes_[at]));
+  std::ranges::fill(has_stored_, of_lane(other.has_stored_.data()));
+}
 
 void Fleet::HostCalled(uint32_t function, const uint64_t* mask, const uint64_t* arguments, uint64_t* results,
                        uint64_t* seconds, uint64_t* has_second) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "transpiler/fleet/library.h"
@@ -52,6 +53,8 @@ class Fleet {
 
   bool Holds(ir::SpaceId space, uint32_t offset, uint8_t bit) const;
   bool Bit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit) const;
+  /// Bits that the fleet does not hold are 0.
+  uint8_t Byte(unsigned lane, ir::SpaceId space, uint32_t offset) const;
   /// The host writes: a forced bit keeps its value. Nothing where the fleet does not hold it. What is the same in every
   /// machine is written in all of them.
   void SetBit(unsigned lane, ir::SpaceId space, uint32_t offset, uint8_t bit, bool value);
@@ -67,6 +70,12 @@ class Fleet {
   void ForceField(unsigned lane, ir::StateId state, uint8_t field, bool forced);
 
   void StoreRetentive();
+  void StoreRetentive(unsigned lane);
+  /// As sim::Engine::SendText, into one machine.
+  void SendText(unsigned lane, std::string_view text);
+
+  /// Every lane becomes what a lane of a fleet of the same library is now, which has no forces.
+  void BecomeAll(const Fleet& other, unsigned lane);
   /// As sim::Engine::Snapshot, with bits of spaces that are not held taken from `others` (a byte vector for each
   /// space).
   std::vector<uint8_t> Snapshot(unsigned lane, const std::vector<std::vector<uint8_t>>& others) const;
@@ -91,8 +100,6 @@ class Fleet {
                   uint64_t* seconds, uint64_t* has_second);
   void LoadRetentive(const uint64_t* mask);
   void StoreRetentive(const uint64_t* mask);
-  template <class Visit>
-  void ForEachPart(const ir::Place& place, Visit&& visit) const;
 
   struct Free {
     void operator()(void* memory) const;

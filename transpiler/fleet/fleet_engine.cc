@@ -1,14 +1,12 @@
 #include "transpiler/fleet/fleet_engine.h"
 
 #include <algorithm>
-
 #include <optional>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "plcxx/texts.h"
 #include "transpiler/fleet/fleet.h"
 #include "transpiler/ir/zones.h"
 #include "transpiler/support/check.h"
@@ -61,9 +59,9 @@ class FleetEngine : public sim::Engine {
   uint64_t Read(const ir::Place& place) override {
     if (place.is_field()) return fleet_.Read(carriers_.front(), place);
     uint64_t value = 0;
-    ForEachBit(place, [&](uint32_t offset, uint8_t bit, uint32_t at) {
-      const bool one = fleet_.Holds(place.space, offset, bit) ? fleet_.Bit(carriers_.front(), place.space, offset, bit)
-                                                              : (shadow_[place.space.index][offset] >> bit & 1) != 0;
+    sim::ForEachBitOf(program_, place, [&](ir::SpaceId space, uint32_t offset, uint8_t bit, uint32_t at) {
+      const bool one = fleet_.Holds(space, offset, bit) ? fleet_.Bit(carriers_.front(), space, offset, bit)
+                                                        : (shadow_[space.index][offset] >> bit & 1) != 0;
       value |= uint64_t{one} << at;
     });
     return value;
@@ -72,9 +70,8 @@ class FleetEngine : public sim::Engine {
   void Write(const ir::Place& place, uint64_t value) override {
     for (const unsigned lane : carriers_) fleet_.Write(lane, place, value);
     if (place.is_field()) return;
-    ForEachBit(place, [&](uint32_t offset, uint8_t bit, uint32_t at) {
-      if ((shadow_forced_[place.space.index][offset] >> bit & 1) == 0)
-        SetShadow(place.space, offset, bit, (value >> at & 1) != 0);
+    sim::ForEachBitOf(program_, place, [&](ir::SpaceId space, uint32_t offset, uint8_t bit, uint32_t at) {
+      if ((shadow_forced_[space.index][offset] >> bit & 1) == 0) SetShadow(space, offset, bit, (value >> at & 1) != 0);
     });
   }
 
@@ -86,20 +83,7 @@ class FleetEngine : public sim::Engine {
   void Release(const ir::Place& place) override { SetForced(place, false); }
 
   void SendText(std::string_view text) override {
-    const ir::StateId inbox = program_.text_inbox;
-    if (!inbox.valid()) return;
-    const auto field = [&](std::string_view name) { return ir::FieldIndex(ir::StateKind::kTextInbox, name); };
-    for (const unsigned lane : carriers_) {
-      plcxx::TextInbox box{};
-      for (uint32_t i = 0; i < kLongestText; ++i)
-        box.text[i] = static_cast<char>(fleet_.Field(lane, inbox, field("text"), i));
-      box.length = static_cast<uint8_t>(fleet_.Field(lane, inbox, field("length")));
-      plcxx::SendText(box, text.data(), text.size());
-      for (uint32_t i = 0; i < kLongestText; ++i)
-        fleet_.SetField(lane, inbox, field("text"), static_cast<unsigned char>(box.text[i]), i);
-      fleet_.SetField(lane, inbox, field("length"), box.length);
-      fleet_.SetField(lane, inbox, field("pending"), box.pending ? 1 : 0);
-    }
+    for (const unsigned lane : carriers_) fleet_.SendText(lane, text);
   }
 
   /// A fleet is made of what is executed: statements are switched off in the simulator.
@@ -214,18 +198,6 @@ class FleetEngine : public sim::Engine {
     }
   }
 
-  /// Calls visit(offset, bit, bit of the value) for each bit of a place in memory.
-  template <class Visit>
-  void ForEachBit(const ir::Place& place, Visit&& visit) {
-    const sim::PlaceAccess access = sim::AccessTo(program_, place);
-    if (access.kind == sim::AccessKind::kAbsent) return;
-    if (access.kind == sim::AccessKind::kBit) return visit(access.offset, access.bit, 0u);
-    for (uint32_t i = 0; i < access.bytes; ++i) {
-      const uint32_t significance = access.big_endian ? access.bytes - 1 - i : i;
-      for (uint8_t bit = 0; bit < 8; ++bit) visit(access.offset + i, bit, 8 * significance + bit);
-    }
-  }
-
   void SetShadow(ir::SpaceId space, uint32_t offset, uint8_t bit, bool one) {
     uint8_t& byte = shadow_[space.index][offset];
     byte = static_cast<uint8_t>(one ? byte | (1u << bit) : byte & ~(1u << bit));
@@ -236,9 +208,9 @@ class FleetEngine : public sim::Engine {
       for (const unsigned lane : carriers_) fleet_.ForceField(lane, place.state, place.field, forced);
       return;
     }
-    ForEachBit(place, [&](uint32_t offset, uint8_t bit, uint32_t) {
-      for (const unsigned lane : carriers_) fleet_.ForceBit(lane, place.space, offset, bit, forced);
-      uint8_t& byte = shadow_forced_[place.space.index][offset];
+    sim::ForEachBitOf(program_, place, [&](ir::SpaceId space, uint32_t offset, uint8_t bit, uint32_t) {
+      for (const unsigned lane : carriers_) fleet_.ForceBit(lane, space, offset, bit, forced);
+      uint8_t& byte = shadow_forced_[space.index][offset];
       byte = static_cast<uint8_t>(forced ? byte | (1u << bit) : byte & ~(1u << bit));
     });
   }

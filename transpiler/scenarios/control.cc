@@ -159,6 +159,7 @@ sim::ReadWatched ScenarioControl::Reader() {
 }
 
 void ScenarioControl::LookAtMessages() {
+  if (!looks_) return;
   messages_.Observe(engine_);
   for (const uint32_t number : messages_.TakeEntered()) {
     const std::string declared = DeclaredText(program_, number);
@@ -171,7 +172,7 @@ void ScenarioControl::LookAtMessages() {
 std::vector<ShownMessage> ScenarioControl::TakeMessages() { return std::exchange(shown_, {}); }
 
 uint8_t ScenarioControl::Get(ir::SpaceId space, uint32_t offset) const {
-  if (const std::span<const uint8_t> bytes = engine_.Memory(space); offset < bytes.size()) return bytes[offset];
+  if (const std::span<const uint8_t> bytes = engine_.MemoryFrom(space, offset); !bytes.empty()) return bytes.front();
   return static_cast<uint8_t>(engine_.Read(ByteOf(space, offset)));
 }
 
@@ -186,8 +187,7 @@ void ScenarioControl::Set(ir::SpaceId space, uint32_t offset, uint8_t value) {
 void ScenarioControl::SetAll(ir::SpaceId space, uint32_t offset, std::span<const uint8_t> values) {
   for (size_t i = 0; i < values.size(); ++i) {
     // What is there already needs no writing. An engine that does not show its memory is asked byte by byte.
-    const std::span<const uint8_t> memory = engine_.Memory(space);
-    const std::span<const uint8_t> there = memory.subspan(std::min(offset + i, memory.size()));
+    const std::span<const uint8_t> there = engine_.MemoryFrom(space, offset + static_cast<uint32_t>(i));
     i += static_cast<size_t>(std::ranges::mismatch(values.subspan(i), there).in1 - values.subspan(i).begin());
     if (i < values.size()) Set(space, offset + static_cast<uint32_t>(i), values[i]);
   }

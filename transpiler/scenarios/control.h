@@ -47,6 +47,9 @@ class ScenarioControl : private dialects::ImagePort {
   /// From the next power-on, which delivers the machine, a plant moves around the program.
   void Attach(std::shared_ptr<const BoundPlant> plant);
 
+  /// From now on nobody looks at the messages.
+  void LookAway() { looks_ = false; }
+
   /// Before the init of a power cycle: forgets what the scenario has set.
   void PowerOff();
   /// After init.
@@ -103,6 +106,7 @@ class ScenarioControl : private dialects::ImagePort {
   std::unique_ptr<dialects::ControlStub> stub_;
   std::vector<std::vector<uint8_t>> set_bits_;  // by SpaceId and byte: bits that the scenario has set
   bool is_setting_ = false;                     // what the scenario wants, by the stub
+  bool looks_ = true;
   sim::MessageTracker messages_;
   std::vector<ShownMessage> shown_;
   std::shared_ptr<const BoundPlant> bound_;  // none: there is no plant

@@ -80,6 +80,11 @@ class Engine {
   virtual void Write(const ir::Place& place, uint64_t value) = 0;
   /// The bytes of a space as they are, for who reads many of them; empty: Read has to do.
   virtual std::span<const uint8_t> Memory(ir::SpaceId /*space*/) const { return {}; }
+  /// The same from `offset` on, as many of them as are at hand.
+  virtual std::span<const uint8_t> MemoryFrom(ir::SpaceId space, uint32_t offset) const {
+    const std::span<const uint8_t> all = Memory(space);
+    return offset < all.size() ? all.subspan(offset) : std::span<const uint8_t>();
+  }
   virtual void Force(const ir::Place& place, uint64_t value) = 0;
   virtual void Release(const ir::Place& place) = 0;
   virtual void SendText(std::string_view text) = 0;

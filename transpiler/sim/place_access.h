@@ -27,6 +27,18 @@ struct PlaceAccess {
 
 PlaceAccess AccessTo(const ir::Program& program, const ir::Place& place);
 
+/// Calls visit(space, offset, bit, bit of the value) for each bit of a place in memory that is not indexed.
+template <class Visit>
+void ForEachBitOf(const ir::Program& program, const ir::Place& place, Visit&& visit) {
+  const PlaceAccess access = AccessTo(program, place);
+  if (access.kind == AccessKind::kAbsent) return;
+  if (access.kind == AccessKind::kBit) return visit(place.space, access.offset, access.bit, 0U);
+  for (uint32_t i = 0; i < access.bytes; ++i) {
+    const uint32_t significance = access.big_endian ? access.bytes - 1 - i : i;
+    for (uint8_t bit = 0; bit < 8; ++bit) visit(place.space, access.offset + i, bit, 8 * significance + bit);
+  }
+}
+
 /// The offset of the element `index` (read as signed) of an indexed place; false: it is not wholly inside the bounds.
 inline bool ElementOffset(const PlaceAccess& access, uint64_t index, uint32_t& offset) {
   const int64_t at = int64_t{access.offset} + int64_t{static_cast<int32_t>(index)} * int64_t{access.stride};

@@ -37,18 +37,26 @@ constexpr Draw kDraws[] = {Draw::kZero,   Draw::kSmall,   Draw::kConstant, Draw:
 
 }  // namespace
 
-void Words::Set(const std::pair<std::string, std::string>& word, Machines& machines, size_t machine) {
+std::optional<Words::Write> Words::Find(const std::pair<std::string, std::string>& word) {
   const auto [at, is_new] = known_.try_emplace(word.first);
   if (is_new) at->second = compilation_.dialect->locate(names_, word.first);
   const std::optional<dialects::Location>& location = at->second;
-  if (!location || location->absent) return;
-  if (location->text_input) {
-    machines.SendText(machine, word.second);
-    return;
-  }
+  if (!location || location->absent) return std::nullopt;
+  if (location->text_input) return Write{.location = &*location};
   const std::optional<uint64_t> value =
       scenarios::ParseScenarioValue(word.second, location->place.type, *compilation_.dialect);
-  if (value) machines.Set(machine, *location, *value);
+  if (!value) return std::nullopt;
+  return Write{.location = &*location, .value = *value};
+}
+
+void Words::Set(const std::pair<std::string, std::string>& word, Machines& machines, size_t machine) {
+  const std::optional<Write> write = Find(word);
+  if (!write) return;
+  if (write->location->text_input) {
+    machines.SendText(machine, word.second);
+  } else {
+    machines.Set(machine, *write->location, write->value);
+  }
 }
 
 void LeaveToPlant(const scenarios::BoundPlant& plant, const compilation::Compilation& compilation,

@@ -35,6 +35,12 @@ class Words {
  public:
   explicit Words(const compilation::Compilation& compilation)
       : compilation_(compilation), names_(compilation.program) {}
+  /// What a scenario's `set` of the word writes; none: the program does not know it.
+  struct Write {
+    const dialects::Location* location;  // lives as long as this object
+    uint64_t value = 0;                  // of a location that is no text input
+  };
+  std::optional<Write> Find(const std::pair<std::string, std::string>& word);
   /// As a scenario's `set`; what the program does not know is left out.
   void Set(const std::pair<std::string, std::string>& word, Machines& machines, size_t machine);
 

@@ -53,6 +53,7 @@ class Generations {
     for (size_t i = 0; i < jobs; ++i) {
       machines_.push_back(request.make(1));
       words_.push_back(std::make_unique<Words>(request.machine.compilation));
+      if (request.wide) wide_.push_back(std::make_unique<WideMachines>(request.wide));
     }
   }
 
@@ -75,43 +76,76 @@ class Generations {
 
   void RunAsTheyAre(const std::vector<Stimuli>& runs) {
     if (runs.empty()) return;
-    std::vector<std::unique_ptr<Trial>> trials;
     RunAll(runs.size(),
-           [&](size_t i, Words& words) { return std::make_unique<Trial>(known_, words, 1, ~uint64_t{0}, &runs[i]); });
+           [&](size_t i, Words& words) { return std::make_unique<Trial>(known_, words, nullptr, runs[i]); });
+  }
+
+  uint64_t ChanceOfMachine(uint64_t number) const {
+    return ChanceOf(request_.seed, request_.first_machine + number * request_.every, soaked_.generations);
   }
 
   void RunGeneration() {
     const uint64_t left = request_.machine_ms - soaked_.machine_ms;
     const uint64_t each = std::min(kTrialMs, (left + request_.machines - 1) / request_.machines);
-    RunAll(request_.machines, [&](size_t i, Words& words) {
-      const uint64_t machine = request_.first_machine + i * request_.every;
-      return std::make_unique<Trial>(known_, words, ChanceOf(request_.seed, machine, soaked_.generations), each);
-    });
+    if (request_.wide) {
+      RunWide(each);
+    } else {
+      RunAll(request_.machines,
+             [&](size_t i, Words& words) { return std::make_unique<Trial>(known_, words, ChanceOfMachine(i), each); });
+    }
     ++soaked_.generations;
     if (request_.until) LookForMessages();
   }
 
-  template <class MakeTrial>
-  void RunAll(size_t count, const MakeTrial& make) {
+  void RunWide(uint64_t each) {
     Prepare();
-    std::vector<TrialResult> results(count);
-    std::vector<uint8_t> done(count);
+    const std::vector<std::optional<WideResult>> results =
+        InThreads<WideResult>(request_.machines / kWideMachines, [&](size_t i, size_t job) {
+          const uint64_t first = i * kWideMachines;
+          // A number that no machine has.
+          const uint64_t chance = ChanceOf(~request_.seed, request_.first_machine + i, soaked_.generations);
+          return wide_[job]->Run(
+              known_, *words_[job], chance, [&](uint32_t machine) { return ChanceOfMachine(first + machine); }, each);
+        });
+    std::vector<const Promise*> promises;
+    for (const std::optional<WideResult>& result : results) {
+      if (!result) continue;
+      soaked_.parts += result->parts;
+      soaked_.machine_ms += result->machine_ms;
+      soaked_.steps += result->steps;
+      for (const Promise& promise : result->promises) promises.push_back(&promise);
+    }
+    RunAll(promises.size(), [&](size_t i, Words& words) {
+      return std::make_unique<Trial>(known_, words, promises[i]->from.get(), promises[i]->stimuli);
+    });
+  }
+
+  /// What `make(i, job)` gives, by i; none of those for which there was no time.
+  template <class Result, class Make>
+  std::vector<std::optional<Result>> InThreads(size_t count, const Make& make) {
+    std::vector<std::optional<Result>> results(count);
     std::atomic<size_t> next = 0;
     const auto work = [&](size_t job) {
-      for (size_t i = next++; i < count && !Late(); i = next++) {
-        const std::unique_ptr<Trial> trial = make(i, *words_[job]);
-        Trial* const one = trial.get();
-        RunTrials(*machines_[job], {&one, 1});
-        results[i] = trial->Take();
-        done[i] = 1;
-      }
+      for (size_t i = next++; i < count && !Late(); i = next++) results[i] = make(i, job);
     };
     std::vector<std::thread> threads;
     for (size_t job = 1; job < machines_.size(); ++job) threads.emplace_back(work, job);
     work(0);
     for (std::thread& thread : threads) thread.join();
-    for (size_t i = 0; i < count; ++i) {
-      if (done[i] != 0) Merge(results[i]);
+    return results;
+  }
+
+  template <class MakeTrial>
+  void RunAll(size_t count, const MakeTrial& make) {
+    Prepare();
+    std::vector<std::optional<TrialResult>> results = InThreads<TrialResult>(count, [&](size_t i, size_t job) {
+      const std::unique_ptr<Trial> trial = make(i, *words_[job]);
+      Trial* const one = trial.get();
+      RunTrials(*machines_[job], {&one, 1});
+      return trial->Take();
+    });
+    for (std::optional<TrialResult>& result : results) {
+      if (result) Merge(*result);
     }
     Tell();
   }
@@ -251,6 +285,7 @@ class Generations {
   Findings findings_;
   std::vector<std::unique_ptr<Machines>> machines_;  // of each job one
   std::vector<std::unique_ptr<Words>> words_;
+  std::vector<std::unique_ptr<WideMachines>> wide_;
   std::vector<uint8_t> given_;                             // by all
   std::map<uint32_t, std::shared_ptr<const Entry>> came_;  // by message
   std::map<std::string, int> refuted_;

@@ -3,7 +3,9 @@
 // In: a program, its properties, scenarios and runs of earlier times. Machines run in generations: each of them has a
 // trial of its own, whose chance follows from the seed, the machine's number and the generation's; what all of them
 // found is taken together in the order of their numbers, and is where the next generation begins. So the result does
-// not depend on how many run at a time. Out: findings, what was reached, runs worth keeping. Not its job: files.
+// not depend on how many run at a time. In a fleet the machines of a generation run side by side, and those that
+// promise something new are repeated one by one. Out: findings, what was reached, runs worth keeping. Not its job:
+// files.
 #pragma once
 
 #include <chrono>
@@ -17,6 +19,7 @@
 
 #include "transpiler/soak/findings.h"
 #include "transpiler/soak/goals.h"
+#include "transpiler/soak/wide_runs.h"
 
 namespace plcxx::soak {
 
@@ -27,6 +30,7 @@ struct SoakRequest {
   std::vector<Stimuli> scenarios;  // beside the program
   std::vector<Stimuli> corpus;     // of earlier times
   MakeMachines make;
+  std::shared_ptr<const WideProgram> wide;             // then machines run in it, kWideMachines at a time; may be none
   std::shared_ptr<const scenarios::BoundPlant> plant;  // of these machines; may be none
   uint32_t machines = 16;                              // of this shard
   uint32_t first_machine = 0, every = 1;               // their numbers: the first, and so many on from each to the next

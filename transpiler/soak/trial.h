@@ -14,43 +14,14 @@
 #include <utility>
 #include <vector>
 
-#include "transpiler/review/diff/stimulus.h"
 #include "transpiler/soak/goals.h"
 #include "transpiler/soak/inputs.h"
 #include "transpiler/soak/machines.h"
+#include "transpiler/soak/steering.h"
 #include "transpiler/soak/watch.h"
 #include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::soak {
-
-using review::diff::Stimuli;
-using review::diff::Stimulus;
-
-/// What one machine did first, and where it was then.
-struct Entry {
-  Stimuli stimuli;  // from power-on
-  std::shared_ptr<const Moment> moment;
-  std::vector<uint8_t> given;  // since power-on, see Simulator::NoteGiven
-};
-
-/// A message that came, and was never seen to go.
-struct Standing {
-  std::shared_ptr<const Entry> entry;  // where it has come
-  std::vector<uint32_t> writers;       // statements that write it
-};
-
-/// What is known when a generation begins.
-struct Known {
-  const Inputs& inputs;
-  const WatchPlan& plan;
-  const std::vector<Stimuli>& scenarios;
-  std::vector<std::shared_ptr<const Entry>> entries;  // the newest at the end
-  std::vector<uint8_t> given;                         // by all so far; 3 where it does not matter
-  std::vector<ir::StatementId> open;                  // statements with goals that were not reached
-  std::vector<Standing> standing;
-  std::set<uint32_t> gone;       // messages that were seen to go
-  std::set<std::string> causes;  // by key: they are no news
-};
 
 struct TrialResult {
   std::vector<Entry> entries;  // each has given something that nothing before has
@@ -68,8 +39,10 @@ struct TrialResult {
 
 class Trial {
  public:
-  /// `follows`: these steps and nothing else; none: what chance wants, for `most_ms` of the machine's time.
-  Trial(const Known& known, Words& words, uint64_t chance, uint64_t most_ms, const Stimuli* follows = nullptr);
+  /// What chance wants, for `most_ms` of the machine's time.
+  Trial(const Known& known, Words& words, uint64_t chance, uint64_t most_ms);
+  /// These steps and nothing else, from `from` on; none: from power-on.
+  Trial(const Known& known, Words& words, const Entry* from, const Stimuli& follows);
 
   void Begin(Machines& machines, size_t machine);
   /// The next step is done, but for its time. False: there is none.
@@ -80,9 +53,9 @@ class Trial {
   TrialResult Take() { return std::move(result_); }
 
  private:
+  void GoTo(const Entry& entry, Machines& machines);
+  void ChooseBegin(Machines& machines);
   Stimulus Choose(Machines& machines);
-  void SetInput(uint32_t input, Machines& machines, Stimulus& stimulus);
-  void ChooseTime(Stimulus& stimulus);
   bool GaveNews() const;
   Entry Here(Machines& machines) const;
   void Keep(Machines& machines);
@@ -91,7 +64,8 @@ class Trial {
   Words& words_;
   terms::Random random_;
   uint64_t most_ms_;
-  const Stimuli* follows_;
+  const Entry* from_ = nullptr;
+  const Stimuli* follows_ = nullptr;
   const Stimuli* scenario_ = nullptr;
   const std::vector<uint32_t>* sought_ = nullptr;  // statements to which inputs are steered; none: the open ones
   size_t next_step_ = 0;                           // of `scenario_`, `follows_`
@@ -104,10 +78,6 @@ class Trial {
   bool is_over_ = false;
   TrialResult result_;
 };
-
-/// The same as time that a machine can have: a part that runs alone, while the other one has a time of its own, is a
-/// scenario's means and nothing that happens.
-Stimulus AsItHappens(Stimulus stimulus, const ir::Schedule& schedule);
 
 /// All of the trials, as many at a time as the machines are; in their order.
 void RunTrials(Machines& machines, std::span<Trial* const> trials);

@@ -1,6 +1,8 @@
 #include "transpiler/dialects/host50/control/stub.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "transpiler/dialects/host50/machine/places.h"
 
@@ -9,6 +11,8 @@ namespace {
 
 /// What the machine holds of one byte of the image.
 struct InputByte {
+  ir::SpaceId space;
+  uint32_t offset = 0;
   uint8_t mask = 0;  // bits that have been set, or that the program looks at or writes
   uint8_t value = 0;
 };
@@ -50,25 +54,34 @@ class MachineStub final : public dialects::ControlStub {
   void Hold(const ir::Place& place, uint64_t value) {
     if (place.type == ir::Type::kBit) {
       const auto mask = static_cast<uint8_t>(1u << place.bit);
-      InputByte& held = bytes_[{place.space, place.offset}];
+      InputByte& held = Held(place.space, place.offset);
       held.mask |= mask;
       held.value = static_cast<uint8_t>((held.value & ~mask) | ((value & 1) != 0 ? mask : 0));
       return;
     }
     for (uint32_t i = 0; i < ir::Bytes(place.type); ++i) {
-      bytes_[{place.space, place.offset + i}] = {.mask = 0xFF, .value = static_cast<uint8_t>(value >> (8 * i))};
+      InputByte& held = Held(place.space, place.offset + i);
+      held.mask = 0xFF;
+      held.value = static_cast<uint8_t>(value >> (8 * i));
     }
+  }
+
+  InputByte& Held(ir::SpaceId space, uint32_t offset) {
+    const auto at = std::ranges::lower_bound(bytes_, std::pair(space, offset), {},
+                                             [](const InputByte& byte) { return std::pair(byte.space, byte.offset); });
+    if (at != bytes_.end() && at->space == space && at->offset == offset) return *at;
+    return *bytes_.insert(at, {.space = space, .offset = offset});
   }
 
   void Deliver(dialects::ImagePort& image) {
-    for (const auto& [where, held] : bytes_) {
-      const uint8_t before = image.Get(where.first, where.second);
+    for (const InputByte& held : bytes_) {
+      const uint8_t before = image.Get(held.space, held.offset);
       const auto after = static_cast<uint8_t>((before & ~held.mask) | held.value);
-      if (after != before) image.Set(where.first, where.second, after);
+      if (after != before) image.Set(held.space, held.offset, after);
     }
   }
 
-  std::map<std::pair<ir::SpaceId, uint32_t>, InputByte> bytes_;
+  std::vector<InputByte> bytes_;  // ascending
 };
 
 }  // namespace

@@ -1,0 +1,99 @@
+#include "transpiler/soak/steering.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace plcxx::soak {
+namespace {
+
+constexpr uint64_t kManyInputs = 6;
+constexpr size_t kNewest = 16;
+
+}  // namespace
+
+terms::Random RandomOf(uint64_t chance) {
+  chance = (chance ^ chance >> 30) * 0xBF58476D1CE4E5B9;
+  chance = (chance ^ chance >> 27) * 0x94D049BB133111EB;
+  return terms::Random((chance ^ chance >> 31) | 1);
+}
+
+const std::shared_ptr<const Entry>& PickEntry(const Known& known, terms::Random& random) {
+  const size_t count = known.entries.size();
+  const size_t among = random.OneIn(2) ? count : std::min(count, kNewest);
+  return known.entries[count - 1 - random.Next() % among];
+}
+
+void ChooseTime(const Known& known, terms::Random& random, Stimulus& stimulus) {
+  const ir::Schedule& schedule = known.plan.program().schedule;
+  const uint64_t what = random.Next() % 16;
+  if (what < 2) {
+    const std::vector<uint32_t>& waits = known.inputs.waits_ms();
+    stimulus.ms = waits[random.Next() % waits.size()];
+  } else if (what == 2 && schedule.fast_done.valid()) {
+    stimulus.fast = 1;
+  } else if (what < 6) {
+    stimulus.ms = std::max(1U, schedule.period_ms);
+  } else {
+    stimulus.slow = 1 + static_cast<uint32_t>(random.OneIn(4) ? random.Next() % 12 : 0);
+  }
+}
+
+const Stimulus* PickOtherStep(const Known& known, terms::Random& random) {
+  if (known.scenarios.empty() || !random.OneIn(8)) return nullptr;
+  const Stimuli& other = known.scenarios[random.Next() % known.scenarios.size()];
+  return &other[random.Next() % other.size()];
+}
+
+void PutWord(Stimulus& stimulus, std::pair<std::string, std::string> word) {
+  const auto same = std::ranges::find(stimulus.words, word.first, &std::pair<std::string, std::string>::first);
+  if (same == stimulus.words.end()) {
+    stimulus.words.push_back(std::move(word));
+  } else {
+    *same = std::move(word);
+  }
+}
+
+void ChooseInputs(const Known& known, const std::vector<uint32_t>* sought, terms::Random& random,
+                  const std::function<void(uint32_t input)>& set) {
+  const std::vector<Input>& inputs = known.inputs.all();
+  if (inputs.empty()) return;
+  const bool all_done = random.OneIn(2);
+  for (uint32_t i = 0; i < inputs.size(); ++i) {
+    if (inputs[i].is_request && all_done && random.OneIn(4)) set(i);
+  }
+  if ((sought != nullptr || !known.open.empty()) && random.OneIn(2)) {
+    const ir::StatementId goal = sought != nullptr ? ir::StatementId((*sought)[random.Next() % sought->size()])
+                                                   : known.open[random.Next() % known.open.size()];
+    for (uint64_t i = 1 + random.Next() % 4; i > 0; --i) {
+      if (const std::optional<uint32_t> input = known.inputs.Towards(goal, random)) {
+        set(*input);
+      }
+    }
+  } else if (random.OneIn(kManyInputs)) {
+    const uint64_t one_in = uint64_t{2} << random.Next() % 5;
+    for (uint32_t i = 0; i < inputs.size(); ++i) {
+      if (random.OneIn(one_in)) set(i);
+    }
+  } else {
+    for (uint64_t i = random.Next() % 4; i > 0; --i) {
+      set(static_cast<uint32_t>(random.Next() % inputs.size()));
+    }
+  }
+}
+
+Stimulus AsItHappens(Stimulus stimulus, const ir::Schedule& schedule) {
+  const bool slow_alone = schedule.fast_ms != 0, fast_alone = !schedule.fast_done.valid();
+  const uint32_t period = std::max(1U, schedule.period_ms);
+  if (stimulus.slow != 0 && slow_alone) {
+    stimulus.ms = stimulus.slow * period;
+    stimulus.slow = stimulus.fast = 0;
+  } else if (stimulus.slow == 0 && stimulus.fast != 0 && fast_alone) {
+    // It runs once in a period, or has its own.
+    stimulus.ms = stimulus.fast * (schedule.fast_ms != 0 ? schedule.fast_ms : period);
+    stimulus.fast = 0;
+  }
+  return stimulus;
+}
+
+}  // namespace plcxx::soak

@@ -1,0 +1,381 @@
+#include "transpiler/soak/wide_runs.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "transpiler/fleet/fleet.h"
+#include "transpiler/fleet/lane.h"
+#include "transpiler/scenarios/control.h"
+#include "transpiler/sim/clock.h"
+#include "transpiler/support/check.h"
+
+namespace plcxx::soak {
+namespace {
+
+constexpr uint64_t kMostParts = 20'000;  // of each machine
+constexpr size_t kMostPromises = 16;     // of a run
+constexpr size_t kMostNews = 4;          // of a step
+
+/// As many fleets as it takes, each as wide as the library, in lockstep.
+class Fleets : public sim::Engine {
+ public:
+  explicit Fleets(const std::shared_ptr<const fleet::Library>& library) {
+    for (uint32_t lanes = 0; lanes < kWideMachines; lanes += library->lanes) {
+      fleets_.push_back(std::make_unique<fleet::Fleet>(library));
+    }
+  }
+  std::vector<std::unique_ptr<fleet::Fleet>>& all() { return fleets_; }
+  /// Only the first one runs: it does what all machines have in common.
+  void RunFirstAlone(bool alone) { running_ = alone ? 1 : fleets_.size(); }
+
+  std::string_view name() const override { return "fleets"; }
+  void PowerOn() override {
+    ForEach([](fleet::Fleet& fleet) { fleet.PowerOn(); });
+  }
+  void RunPeriod(uint32_t now_ms) override {
+    ForEach([=](fleet::Fleet& fleet) { fleet.Run(fleet::Piece::kPeriod, now_ms); });
+  }
+  void RunFastOnly(uint32_t now_ms) override {
+    ForEach([=](fleet::Fleet& fleet) { fleet.Run(fleet::Piece::kFastOnly, now_ms); });
+  }
+  void RunElapse(uint32_t now_ms) override {
+    ForEach([=](fleet::Fleet& fleet) { fleet.Run(fleet::Piece::kElapse, now_ms); });
+  }
+  void StoreRetentive() override {
+    ForEach([](fleet::Fleet& fleet) { fleet.StoreRetentive(); });
+  }
+  /// Counts of the scheduler, which are the same in every machine.
+  uint64_t Read(const ir::Place& place) override { return fleets_.front()->Read(0, place); }
+
+  void AnswerHostCalls(sim::HostAnswers) override { PLCXX_UNREACHABLE(); }
+  void Write(const ir::Place&, uint64_t) override { PLCXX_UNREACHABLE(); }
+  void Force(const ir::Place&, uint64_t) override { PLCXX_UNREACHABLE(); }
+  void Release(const ir::Place&) override { PLCXX_UNREACHABLE(); }
+  void SendText(std::string_view) override { PLCXX_UNREACHABLE(); }
+  void EnableStatement(ir::StatementId, bool) override { PLCXX_UNREACHABLE(); }
+  std::vector<sim::HostEvent> TakeEvents() override { return {}; }
+  std::vector<uint8_t> Snapshot() override { PLCXX_UNREACHABLE(); }
+
+ private:
+  template <class Visit>
+  void ForEach(Visit&& visit) {
+    for (size_t i = 0; i < running_; ++i) visit(*fleets_[i]);
+  }
+
+  std::vector<std::unique_ptr<fleet::Fleet>> fleets_;
+  size_t running_ = 0;
+};
+
+/// What one machine did in a step, beside the time that all of them have in common.
+struct Done {
+  const Stimulus* words = nullptr;                    // of a scenario; may be none
+  std::vector<std::pair<uint32_t, uint64_t>> inputs;  // by number, with their values
+};
+
+/// What surrounds one lane.
+struct Machine {
+  Machine(const WideProgram& program, fleet::Fleet& fleet, unsigned number)
+      : lane(fleet, number, program.host_only),
+        control(program.compilation.program, *program.compilation.dialect, lane,
+                scenarios::StubOf(program.compilation)) {
+    control.LookAway();
+    if (program.plant) control.Attach(program.plant);
+  }
+  fleet::Lane lane;
+  scenarios::ScenarioControl control;
+  terms::Random random{1};
+  std::vector<Done> done;  // since the run began
+};
+
+}  // namespace
+
+std::variant<std::shared_ptr<const WideProgram>, std::string> CompileWide(
+    const compilation::Compilation& compilation, std::shared_ptr<const scenarios::BoundPlant> plant, const Goals& goals,
+    const WatchPlan& plan, const fleet::LibraryRequest& request) {
+  auto program = std::make_shared<WideProgram>(WideProgram{.compilation = compilation,
+                                                           .plant = std::move(plant),
+                                                           .noted = NoteReached(goals, plan),
+                                                           .host_only = {},
+                                                           .library = {}});
+  fleet::LibraryOrFailure compiled = fleet::CompileFleet(program->noted.program, request);
+  if (auto* const failure = std::get_if<std::string>(&compiled)) return std::move(*failure);
+  program->host_only = fleet::FindHostOnly(program->noted.program);
+  program->library = std::get<std::shared_ptr<const fleet::Library>>(std::move(compiled));
+  return std::shared_ptr<const WideProgram>(std::move(program));
+}
+
+class WideMachines::Herd {
+ public:
+  explicit Herd(std::shared_ptr<const WideProgram> program)
+      : program_(std::move(program)),
+        fleets_(program_->library),
+        clock_(program_->noted.program, {&fleets_}),
+        has_control_(scenarios::StubOf(program_->compilation) != nullptr || program_->plant != nullptr) {
+    uint32_t first = 0;
+    for (const auto& fleet : fleets_.all()) {
+      for (unsigned lane = 0; lane < fleet->lanes(); ++lane) {
+        machines_.push_back(std::make_unique<Machine>(*program_, *fleet, lane));
+      }
+      fleet->AnswerHostCalls([this, first](const fleet::FleetCall& call) { Answer(call, first); });
+      first += fleet->lanes();
+    }
+    new_ = std::make_unique<scenarios::ScenarioControl::Saved>(machines_.front()->control.Save());
+    clock_.before_period = [this](uint32_t now_ms) {
+      for (size_t i = 0; has_control_ && i < awake_; ++i) machines_[i]->control.BeforePeriod(now_ms);
+    };
+    clock_.after_period = [this](uint32_t now_ms) {
+      ++parts_;
+      for (size_t i = 0; has_control_ && i < awake_; ++i) machines_[i]->control.AfterPeriod(now_ms);
+    };
+    clock_.interrupted = [this] { return parts_ >= kMostParts; };
+  }
+
+  WideResult Run(const Known& known, Words& words, uint64_t chance,
+                 const std::function<uint64_t(uint32_t machine)>& machine_chance, uint64_t most_ms) {
+    const Start start = Begin(known, words, chance);
+    for (uint32_t i = 0; i < machines_.size(); ++i) machines_[i]->random = RandomOf(machine_chance(i));
+    FindOpen(known, start);
+    WideResult result;
+    terms::Random random = RandomOf(chance);
+    const Stimuli* const scenario = start.scenario;
+    size_t next_step = 0;
+    parts_ = 0;
+    steps_.clear();
+    uint64_t time_ms = clock_.time_ms();
+    for (size_t step = 0; step < kMostSteps && result.machine_ms < most_ms * kWideMachines; ++step) {
+      const Stimulus* const follows =
+          scenario != nullptr && next_step < scenario->size() ? &(*scenario)[next_step] : nullptr;
+      Stimulus common = follows != nullptr ? *follows : Stimulus{};
+      common.words.clear();
+      if (follows != nullptr && !random.OneIn(4)) ++next_step;
+      if (common.slow == 0 && common.fast == 0 && common.ms == 0) ChooseTime(known, random, common);
+      common.power_cycle = common.power_cycle || random.OneIn(kMostSteps);
+      common = AsItHappens(std::move(common), known.plan.program().schedule);
+      steps_.push_back(common);
+      const bool goes_on = Step(known, words, start.sought, follows, common);
+      const uint64_t now = clock_.time_ms();
+      result.machine_ms += (now - std::min(now, time_ms)) * kWideMachines;
+      result.steps += kWideMachines;
+      time_ms = now;
+      TakeNews(known, start, result);
+      if (!goes_on || open_.empty() || result.promises.size() >= kMostPromises) break;
+    }
+    result.parts = parts_ * kWideMachines;
+    return result;
+  }
+
+ private:
+  struct Start {
+    std::shared_ptr<const Entry> from;
+    const Stimuli* scenario = nullptr;
+    const std::vector<uint32_t>* sought = nullptr;
+  };
+
+  /// As a trial begins, with all machines at the same moment.
+  Start Begin(const Known& known, Words& words, uint64_t chance) {
+    terms::Random random = RandomOf(~chance);
+    Start start;
+    const uint64_t from = random.Next() % 16;
+    if (from % 4 == 3 && !known.standing.empty()) {
+      const Standing& standing = known.standing[random.Next() % known.standing.size()];
+      start.from = standing.entry;
+      if (!standing.writers.empty()) start.sought = &standing.writers;
+    } else if (from >= 3 && !known.entries.empty()) {
+      start.from = PickEntry(known, random);
+    } else if (!known.scenarios.empty()) {
+      start.scenario = &known.scenarios[random.Next() % known.scenarios.size()];
+    }
+    // One machine comes there, and all others become what it is.
+    writes_.clear();
+    fleets_.RunFirstAlone(true);
+    awake_ = 1;
+    parts_ = 0;
+    Machine& first = *machines_.front();
+    first.control.Restore(*new_);
+    for (const auto& machine : machines_) machine->lane.PowerOn();
+    clock_.PowerOn();
+    first.control.PowerOn();
+    if (start.from) {
+      for (const Stimulus& stimulus : start.from->stimuli) {
+        if (stimulus.power_cycle) PowerCycle();
+        Set(words, stimulus, first);
+        if (!RunFor(AsItHappens(stimulus, known.plan.program().schedule))) break;
+      }
+    }
+    for (const auto& fleet : fleets_.all()) fleet->BecomeAll(*fleets_.all().front(), 0);
+    const scenarios::ScenarioControl::Saved saved = first.control.Save();
+    for (const auto& machine : machines_) {
+      if (machine.get() != &first) {
+        machine->control.Restore(saved);
+        machine->lane.BecomeLike(first.lane);
+      }
+      machine->done.clear();
+    }
+    fleets_.RunFirstAlone(false);
+    awake_ = machines_.size();
+    return start;
+  }
+
+  /// What was noted on the way to where it begins is no news.
+  void FindOpen(const Known& known, const Start& start) {
+    open_.clear();
+    const fleet::Fleet& fleet = *fleets_.all().front();
+    const NotedProgram& noted = program_->noted;
+    for (uint32_t i = 0; i < noted.marks.size(); ++i) {
+      const Mark& mark = noted.marks[i];
+      const bool is_known = mark.property ? known.causes.contains(known.plan.PropertyCause(*mark.property).key)
+                                          : (known.given[mark.inst.index] & mark.given) != 0;
+      const ir::Place place = noted.PlaceOf(i);
+      const bool was_noted = start.from && fleet.Bit(0, place.space, place.offset, place.bit);
+      if (!is_known && !was_noted) open_.push_back(i);
+    }
+  }
+
+  bool Step(const Known& known, Words& words, const std::vector<uint32_t>* sought, const Stimulus* follows,
+            const Stimulus& common) {
+    if (common.power_cycle) PowerCycle();
+    const std::vector<Input>& inputs = known.inputs.all();
+    for (const auto& one : machines_) {
+      Machine& machine = *one;
+      Done& done = machine.done.emplace_back();
+      done.words = follows != nullptr ? follows : PickOtherStep(known, machine.random);
+      if (done.words != nullptr) Set(words, *done.words, machine);
+      if (follows != nullptr && !machine.random.OneIn(3)) continue;
+      ChooseInputs(known, sought, machine.random, [&](uint32_t number) {
+        const Input& input = inputs[number];
+        const uint64_t now = input.location.cell ? 0 : scenarios::ReadLocation(machine.lane, input.location);
+        const uint64_t value = known.inputs.ValueFor(input, now, machine.random);
+        const auto same = std::ranges::find(done.inputs, number, &std::pair<uint32_t, uint64_t>::first);
+        if (same == done.inputs.end()) {
+          done.inputs.emplace_back(number, value);
+        } else {
+          same->second = value;
+        }
+      });
+      for (const auto& [number, value] : done.inputs) machine.control.Set(inputs[number].location, value);
+    }
+    return RunFor(common);
+  }
+
+  /// What a machine did, as others can do it.
+  Stimuli StimuliOf(const Known& known, const Machine& machine) const {
+    Stimuli stimuli;
+    for (size_t i = 0; i < machine.done.size(); ++i) {
+      const Done& done = machine.done[i];
+      Stimulus& stimulus = stimuli.emplace_back(steps_[i]);
+      if (done.words != nullptr) stimulus.words = done.words->words;
+      for (const auto& [number, value] : done.inputs) {
+        const Input& input = known.inputs.all()[number];
+        PutWord(stimulus, {input.name, Inputs::TextOf(input, value)});
+      }
+    }
+    return stimuli;
+  }
+
+  bool RunFor(const Stimulus& time) {
+    const sim::Step step = time.slow != 0   ? clock_.RunSlow(time.slow)
+                           : time.fast != 0 ? clock_.RunFast(time.fast)
+                           : time.ms != 0   ? clock_.RunMs(time.ms)
+                                            : sim::Step::kDone;
+    return step == sim::Step::kDone;
+  }
+
+  void PowerCycle() {
+    for (size_t i = 0; i < awake_; ++i) {
+      machines_[i]->control.PowerOff();
+      machines_[i]->lane.PowerOn();
+    }
+    clock_.PowerCycle();
+    for (size_t i = 0; i < awake_; ++i) machines_[i]->control.PowerOn();
+  }
+
+  /// Words of scenarios and moments, which live as long as the run.
+  void Set(Words& words, const Stimulus& stimulus, Machine& machine) {
+    const auto [at, is_new] = writes_.try_emplace(&stimulus);
+    for (size_t i = 0; is_new && i < stimulus.words.size(); ++i) {
+      const std::optional<Words::Write> write = words.Find(stimulus.words[i]);
+      if (write) at->second.push_back({*write, &stimulus.words[i].second});
+    }
+    for (const auto& [write, text] : at->second) {
+      if (write.location->text_input) {
+        machine.lane.SendText(*text);
+      } else {
+        machine.control.Set(*write.location, write.value);
+      }
+    }
+  }
+
+  void Answer(const fleet::FleetCall& call, uint32_t first) {
+    const ir::HostFunction& function = program_->noted.program.host_functions[call.function];
+    std::vector<uint64_t> arguments(function.parameters.size());
+    for (unsigned word = 0; word < call.lanes / 64; ++word) {
+      for (uint64_t left = call.mask[word]; left != 0; left &= left - 1) {
+        const unsigned lane = 64 * word + static_cast<unsigned>(std::countr_zero(left));
+        if (first + lane >= awake_) return;
+        for (size_t a = 0; a < arguments.size(); ++a) arguments[a] = call.arguments[a * call.lanes + lane];
+        const sim::HostAnswer answer = machines_[first + lane]->lane.Answer(call.function, arguments);
+        if (call.results != nullptr) call.results[lane] = answer.result;
+        if (call.seconds != nullptr) call.seconds[lane] = answer.out.value_or(0);
+        if (answer.out) call.has_second[word] |= uint64_t{1} << (lane % 64);
+      }
+    }
+  }
+
+  static std::optional<unsigned> FirstLaneWith(fleet::Fleet& fleet, const ir::Place& place) {
+    const std::span<const uint64_t> words = fleet.PlaneOf(place.space, place.offset, place.bit);
+    if (words.empty()) return fleet.Bit(0, place.space, place.offset, place.bit) ? std::optional(0U) : std::nullopt;
+    for (unsigned w = 0; w < words.size(); ++w) {
+      if (words[w] != 0) return 64 * w + static_cast<unsigned>(std::countr_zero(words[w]));
+    }
+    return std::nullopt;
+  }
+
+  /// Of the machines with something new as many as have all of it; what one has needs no other.
+  void TakeNews(const Known& known, const Start& start, WideResult& result) {
+    const NotedProgram& noted = program_->noted;
+    size_t taken = 0;
+    for (size_t f = 0; f < fleets_.all().size(); ++f) {
+      fleet::Fleet& fleet = *fleets_.all()[f];
+      for (size_t i = 0; i < open_.size() && taken < kMostNews && result.promises.size() < kMostPromises;) {
+        const std::optional<unsigned> lane = FirstLaneWith(fleet, noted.PlaceOf(open_[i]));
+        if (!lane) {
+          ++i;
+          continue;
+        }
+        result.promises.push_back({start.from, StimuliOf(known, *machines_[f * fleet.lanes() + *lane])});
+        ++taken;
+        std::erase_if(open_, [&](uint32_t mark) {
+          const ir::Place place = noted.PlaceOf(mark);
+          return fleet.Bit(*lane, place.space, place.offset, place.bit);
+        });
+      }
+    }
+  }
+
+  std::shared_ptr<const WideProgram> program_;
+  Fleets fleets_;
+  sim::Clock clock_;
+  bool has_control_;
+  std::vector<std::unique_ptr<Machine>> machines_;
+  std::unique_ptr<const scenarios::ScenarioControl::Saved> new_;
+  size_t awake_ = 0;  // machines, the first ones
+  std::vector<uint32_t> open_;
+  Stimuli steps_;  // of the run, without words
+  std::unordered_map<const Stimulus*, std::vector<std::pair<Words::Write, const std::string*>>>
+      writes_;  // looked up only
+  uint64_t parts_ = 0;
+};
+
+WideMachines::WideMachines(std::shared_ptr<const WideProgram> program)
+    : herd_(std::make_unique<Herd>(std::move(program))) {}
+WideMachines::~WideMachines() = default;
+
+WideResult WideMachines::Run(const Known& known, Words& words, uint64_t chance,
+                             const std::function<uint64_t(uint32_t machine)>& machine_chance, uint64_t most_ms) {
+  return herd_->Run(known, words, chance, machine_chance, most_ms);
+}
+
+}  // namespace plcxx::soak

@@ -1,0 +1,69 @@
+// Hundreds of machines from one moment on, each a lane of a fleet: which of them come to what nobody has reached.
+//
+// All of them have one time, so that steps take the same time in each; inputs are each machine's own. In: a program
+// that notes what it reaches (notes.h), what is known, chance. Out: runs that promise something new. They are repeated
+// by a machine in the simulator before anything is told (trial.h): a lane is never believed. Not its job: findings.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "transpiler/compilation/compilation.h"
+#include "transpiler/fleet/lane.h"
+#include "transpiler/fleet/library.h"
+#include "transpiler/scenarios/bound_plant.h"
+#include "transpiler/soak/notes.h"
+#include "transpiler/soak/steering.h"
+
+namespace plcxx::soak {
+
+/// Machines of a wide run, whatever the processor has: the same everywhere.
+inline constexpr uint32_t kWideMachines = 512;
+
+/// A program for wide runs, the same for all threads.
+struct WideProgram {
+  const compilation::Compilation& compilation;
+  std::shared_ptr<const scenarios::BoundPlant> plant;  // may be none
+  NotedProgram noted;
+  fleet::HostOnlyBytes host_only;
+  std::shared_ptr<const fleet::Library> library;
+};
+
+/// Takes seconds. A text: there is no such program, and why. What it is made of outlives it.
+std::variant<std::shared_ptr<const WideProgram>, std::string> CompileWide(
+    const compilation::Compilation& compilation, std::shared_ptr<const scenarios::BoundPlant> plant, const Goals& goals,
+    const WatchPlan& plan, const fleet::LibraryRequest& request);
+
+/// What a machine did that is worth repeating.
+struct Promise {
+  std::shared_ptr<const Entry> from;  // where it began; none: at power-on
+  Stimuli stimuli;                    // from there on
+};
+
+struct WideResult {
+  std::vector<Promise> promises;
+  uint64_t parts = 0, machine_ms = 0, steps = 0;  // of all machines
+};
+
+/// Machines that make one wide run after the other; of one thread.
+class WideMachines {
+ public:
+  explicit WideMachines(std::shared_ptr<const WideProgram> program);
+  ~WideMachines();
+  WideMachines(const WideMachines&) = delete;
+  WideMachines& operator=(const WideMachines&) = delete;
+
+  /// `chance` of the run; that of machine i is `machine_chance(i)`.
+  WideResult Run(const Known& known, Words& words, uint64_t chance,
+                 const std::function<uint64_t(uint32_t machine)>& machine_chance, uint64_t most_ms);
+
+ private:
+  class Herd;
+  std::unique_ptr<Herd> herd_;
+};
+
+}  // namespace plcxx::soak
