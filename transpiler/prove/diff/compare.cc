@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "transpiler/prove/diff/comparison.h"
+#include "transpiler/prove/diff/relations.h"
 #include "transpiler/prove/diff/renamed.h"
 #include "transpiler/prove/machine/inputs.h"
 
@@ -380,6 +381,14 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
       SeparateUndecided(comparison);
     }
   };
+  const auto try_relations = [&] {
+    SeparateUndecided(comparison);
+    comparison.relations = GuessRelations(comparison);
+    if (comparison.relations.empty()) return;
+    comparison.Report("relations");
+    try_reachable();
+    invariants = constants + static_cast<uint32_t>(comparison.InvariantCount());
+  };
   if (is_tried()) {
     ProveWithRenamed(comparison);
     SeparateUndecided(comparison);
@@ -387,6 +396,7 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
   // Those that are found soon; where many are guessed, runs are the better use of the time, and come first.
   comparison.round_ms = limits.total_ms / 16;
   if (is_tried()) try_invariants(limits.total_ms / 40);
+  if (is_tried()) try_relations();
   comparison.round_ms = limits.total_ms / 4;
   const uint32_t undecided = comparison.UndecidedCount();
   MarkDifferent(comparison, Effort::kThorough);

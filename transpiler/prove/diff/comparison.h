@@ -10,6 +10,7 @@
 
 #include "transpiler/prove/diff/compare.h"
 #include "transpiler/prove/diff/pairing.h"
+#include "transpiler/prove/diff/relation.h"
 #include "transpiler/prove/invariants/invariants.h"
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/prove/machine/transition.h"
@@ -24,6 +25,10 @@ struct Execution {
   std::vector<bool> equal;                         // by old cell, as the pairing had it
   std::array<machine::Transition, 2> transitions;  // old, new
 };
+
+/// Of the state before a part. At power-on relations have to come true: who assumes them there can prove anything of
+/// relations that no state fulfils.
+enum class Known : uint8_t { kInvariants, kInvariantsAndRelations };
 
 struct Comparison {
   Comparison(const machine::Version& old_version, const machine::Version& new_version, const Match& match,
@@ -55,6 +60,7 @@ struct Comparison {
   uint64_t execution_ms = 0;               // that the last execution of a part took
   std::vector<Execution> executions;       // the last ones with these constants, newest first
   std::unique_ptr<invariants::InvariantFinder> old_finder, new_finder;
+  std::vector<Relation> relations;  // part of the inductive set, as the pairs that are equal are
   std::chrono::steady_clock::time_point deadline;
   std::function<void()> before_questions;  // called once, before the solver is asked anything
 
@@ -71,10 +77,10 @@ struct Comparison {
   bool IsInput(execute::CellId old_cell) const;
 
   size_t InvariantCount() const {
-    return old_finder ? old_finder->invariants().size() + new_finder->invariants().size() : 0;
+    return relations.size() + (old_finder ? old_finder->invariants().size() + new_finder->invariants().size() : 0);
   }
-  /// The solver assumes the invariants, over the pairing's variables, until its Pop.
-  void PushInvariants();
+  /// The solver assumes what is known, over the pairing's variables, until its Pop.
+  void PushInvariants(Known known = Known::kInvariantsAndRelations);
 
   terms::TermId NextOld(execute::CellId cell);
   terms::TermId NextNew(execute::CellId cell);
@@ -85,8 +91,9 @@ struct Question {
   solver::TermPair pair;
   uint32_t result;  // index of Comparison::results
 };
-/// Under the invariants.
-std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions);
+/// Under what is known.
+std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions,
+                                     Known known = Known::kInvariantsAndRelations);
 /// What host functions see in the middle of a part, of old_next and new_next. A function that is called otherwise is a
 /// difference of its calls, and nothing else is said of what it sees: `calls_are_equal` is asked about its old cell.
 void AddObservations(Comparison& comparison, const std::function<bool(execute::CellId calls)>& calls_are_equal,

@@ -19,8 +19,9 @@ solver::SweepLimits LimitsOf(const Comparison& comparison) {
 }
 
 /// Separates the pairs of which a question is not answered by "equal"; gives their number.
-uint32_t SeparateFailing(Comparison& comparison, const std::vector<Question>& questions) {
-  const std::vector<solver::Verdict> verdicts = Answers(comparison, questions);
+uint32_t SeparateFailing(Comparison& comparison, const std::vector<Question>& questions,
+                         Known known = Known::kInvariantsAndRelations) {
+  const std::vector<solver::Verdict> verdicts = Answers(comparison, questions, known);
   uint32_t separated = 0;
   for (size_t i = 0; i < questions.size(); ++i) {
     const PairResult& result = comparison.results[questions[i].result];
@@ -105,7 +106,7 @@ std::vector<execute::CellId> SupportOfUndecided(Comparison& comparison, Which wh
 
 }  // namespace
 
-void Comparison::PushInvariants() {
+void Comparison::PushInvariants(Known known) {
   solver->Push();
   for (const Which which : {Which::kOld, Which::kNew}) {
     const std::unique_ptr<invariants::InvariantFinder>& finder = which == Which::kOld ? old_finder : new_finder;
@@ -115,13 +116,18 @@ void Comparison::PushInvariants() {
       solver->Assume(invariants::ConditionOf(terms, invariant, value));
     }
   }
+  if (known == Known::kInvariants) return;
+  for (const Relation& relation : relations) {
+    solver->Assume(
+        ConditionOf(terms, relation, [&](Which which, execute::CellId cell) { return pairing.Initial(which, cell); }));
+  }
 }
 
-std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions) {
+std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions, Known known) {
   if (!questions.empty() && comparison.before_questions) std::exchange(comparison.before_questions, nullptr)();
   std::vector<solver::TermPair> pairs;
   for (const Question& question : questions) pairs.push_back(question.pair);
-  comparison.PushInvariants();
+  comparison.PushInvariants(known);
   std::vector<solver::Verdict> verdicts =
       solver::Compare(comparison.terms, *comparison.solver, pairs, LimitsOf(comparison));
   comparison.solver->Pop();
@@ -285,7 +291,7 @@ std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison) {
     const solver::TermPair pair{old_init.next[result.old_cell.index], new_init.next[result.new_cell.index]};
     if (comparison.pairing.IsEqual(result.old_cell) && pair.a != pair.b) questions.push_back({pair, i});
   }
-  SeparateFailing(comparison, questions);
+  SeparateFailing(comparison, questions, Known::kInvariants);
   std::erase_if(questions, [&comparison](const Question& question) {
     return comparison.pairing.IsEqual(comparison.results[question.result].old_cell);
   });
@@ -311,6 +317,40 @@ bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated) {
   return true;
 }
 
+namespace {
+
+/// Drops the relations of which it is not proved that they hold after power-on, or a part; gives their number.
+uint32_t DropFailingRelations(Comparison& comparison, Known known,
+                              const std::function<terms::TermId(Which which, execute::CellId cell)>& next) {
+  std::vector<Question> questions;
+  std::vector<size_t> asked;
+  for (size_t i = 0; i < comparison.relations.size(); ++i) {
+    const terms::TermId holds = ConditionOf(comparison.terms, comparison.relations[i], next);
+    if (comparison.terms.IsTrue(holds)) continue;
+    questions.push_back({{holds, comparison.terms.Bit(true)}, 0});
+    asked.push_back(i);
+  }
+  if (questions.empty()) return 0;
+  const std::vector<solver::Verdict> verdicts = Answers(comparison, questions, known);
+  std::vector<bool> fails(comparison.relations.size());
+  for (size_t i = 0; i < asked.size(); ++i) fails[asked[i]] = verdicts[i] != solver::Verdict::kEqual;
+  size_t at = 0;
+  return static_cast<uint32_t>(std::erase_if(comparison.relations, [&](const Relation&) { return fails[at++]; }));
+}
+
+/// Relations are about memory that power-off clears, so power-on makes them hold, whatever was before.
+bool DropRelationsAtPowerOn(Comparison& comparison, uint32_t& dropped) {
+  if (comparison.relations.empty()) return true;
+  const std::optional<std::array<machine::Transition, 2>> init = ExecutePowerOn(comparison);
+  if (!init) return false;
+  dropped += DropFailingRelations(comparison, Known::kInvariants, [&](Which which, execute::CellId cell) {
+    return (*init)[which == Which::kOld ? 0 : 1].next[cell.index];
+  });
+  return true;
+}
+
+}  // namespace
+
 bool FindInductiveSet(Comparison& comparison, const InductionLimits& induction_limits) {
   const uint32_t most_rounds = induction_limits.most_rounds;
   comparison.is_inductive = false;
@@ -318,9 +358,15 @@ bool FindInductiveSet(Comparison& comparison, const InductionLimits& induction_l
     uint32_t separated = 0;
     // With everything equal power-on is checked already.
     if (most_rounds > 1 && !SeparateAfterPowerFailure(comparison, separated)) return false;
+    if (!DropRelationsAtPowerOn(comparison, separated)) return false;
     for (const machine::Part part : PartsOf(comparison)) {
       comparison.Report("round " + std::to_string(round));
       if (!ExecutePart(comparison, part)) return false;
+      // Before pairs are separated: then what was executed is no longer over the pairing's variables.
+      separated +=
+          DropFailingRelations(comparison, Known::kInvariantsAndRelations, [&](Which which, execute::CellId cell) {
+            return which == Which::kOld ? comparison.NextOld(cell) : comparison.NextNew(cell);
+          });
       std::vector<Question> questions;
       for (uint32_t i = 0; i < comparison.results.size(); ++i) {
         PairResult& result = comparison.results[i];
@@ -339,6 +385,7 @@ bool FindInductiveSet(Comparison& comparison, const InductionLimits& induction_l
     if (comparison.RestMs() <= induction_limits.end_ms) {
       // The set is not inductive: nothing is proved.
       for (const PairResult& result : comparison.results) comparison.pairing.Separate(result.old_cell);
+      comparison.relations.clear();
       return true;
     }
   }

@@ -1,0 +1,18 @@
+// Which relations (relation.h) there may be between memory of the old version and memory of the new one.
+//
+// Both versions are executed beside each other with the same random inputs, on the terms of their parts; of the numbers
+// of each side that are in no equal pair it is seen what they have to do with each other, in all states or while a bit
+// is set or not. In: a comparison whose undecided pairs are separated. Out: guesses, none of which any state of these
+// runs breaks. Not its job: whether they hold.
+#pragma once
+
+#include <vector>
+
+#include "transpiler/prove/diff/comparison.h"
+
+namespace plcxx::prove::diff {
+
+/// None where a part cannot be executed in time.
+std::vector<Relation> GuessRelations(Comparison& comparison);
+
+}  // namespace plcxx::prove::diff
