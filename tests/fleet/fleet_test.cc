@@ -13,6 +13,8 @@
 #include "tests/volume.h"
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/engines/platform.h"
+#include "transpiler/fleet/fleet.h"
+#include "transpiler/fleet/lane.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/scenario.h"
 
@@ -102,6 +104,79 @@ TEST(Fleet, TimersOfAllLanesAtOnce) {
     EXPECT_EQ(CompareLanes(library, 2, 800), "");
     EXPECT_EQ(CompareLanes(library, 3, 800, Hosts::kWild), "");
   }
+}
+
+/// All lanes become what one of another fleet is, with what is stored and timers that run, and go on alike.
+TEST(Fleet, AllLanesBecomeOne) {
+  const std::string program = std::string(kProgram) + "U50K1=I0A9+U50K1\nT50I(40)=I0A8\nU4A5=T50U\n";
+  const compilation::Compilation compiled = Compiled("machine.plc", program);
+  ASSERT_TRUE(compiled.ok());
+  const auto library = Built(compiled.program, 64);
+  ASSERT_NE(library, nullptr);
+  std::vector<std::vector<uint8_t>> nothing;
+  for (const ir::Space& space : compiled.program.spaces) nothing.emplace_back(space.bytes);
+  Fleet one(library), other(library);
+  one.PowerOn();
+  other.PowerOn();
+  reference::Random random(5);
+  std::vector<ir::Place> inputs;
+  for (const ir::Place& place : compiled.program.places) {
+    if (place.type == ir::Type::kBit && !place.is_field() && place.name.starts_with("I0")) inputs.push_back(place);
+  }
+  ASSERT_FALSE(inputs.empty());
+  uint32_t now_ms = 0;
+  for (const unsigned lane : {0U, 17U, 63U}) {
+    for (int period = 0; period < 30; ++period) {
+      for (unsigned each = 0; each < 64; ++each) one.Write(each, random.Pick(inputs), random.Below(2));
+      one.Run(Piece::kPeriod, now_ms += 10);
+    }
+    other.BecomeAll(one, lane);
+    for (int period = 0; period < 30; ++period) {
+      const ir::Place& input = random.Pick(inputs);
+      const uint32_t value = random.Below(2);
+      one.Write(lane, input, value);
+      for (unsigned each = 0; each < 64; ++each) other.Write(each, input, value);
+      if (period == 20) {
+        // Power comes back, with the memory that was kept.
+        one.StoreRetentive();
+        other.StoreRetentive();
+        one.PowerOn();
+        other.PowerOn();
+      }
+      one.Run(Piece::kPeriod, now_ms += 10);
+      other.Run(Piece::kPeriod, now_ms);
+      const std::vector<uint8_t> expected = one.Snapshot(lane, nothing);
+      for (unsigned each = 0; each < 64; ++each)
+        ASSERT_EQ(other.Snapshot(each, nothing), expected) << lane << ", " << each;
+    }
+  }
+}
+
+/// A control is shown at once what only it writes, up to the first byte that the program may write, too.
+TEST(Fleet, ALaneHasWhatOnlyItsHostWrites) {
+  const compilation::Compilation compiled = Compiled("machine.plc", kProgram);
+  ASSERT_TRUE(compiled.ok());
+  const auto library = Built(compiled.program, 64);
+  ASSERT_NE(library, nullptr);
+  const HostOnlyBytes host_only = FindHostOnly(compiled.program);
+  Fleet fleet(library);
+  Lane lane(fleet, 3, host_only);
+  lane.PowerOn();
+  fleet.PowerOn();
+  size_t shown = 0, hidden = 0;
+  reference::Random random(9);
+  for (const ir::Place& place : compiled.program.places) {
+    if (place.is_field() || place.indexed || !compiled.program.spaces[place.space].host_visible) continue;
+    lane.Write(place, random.Next());
+    const uint64_t written = lane.Read(place);
+    EXPECT_EQ(fleet.Read(3, place), written) << place.name;
+    if (place.type != ir::Type::kI8) continue;
+    const std::span<const uint8_t> bytes = lane.MemoryFrom(place.space, place.offset);
+    (bytes.empty() ? hidden : shown) += 1;
+    if (!bytes.empty()) EXPECT_EQ(bytes.front(), written) << place.name;
+  }
+  EXPECT_GT(shown, 0U);
+  EXPECT_GT(hidden, 0U);
 }
 
 /// Times, counts and slices are one number for all machines: no plane, no mask.

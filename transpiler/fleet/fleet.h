@@ -71,6 +71,8 @@ class Fleet {
 
   void StoreRetentive();
   void StoreRetentive(unsigned lane);
+  /// The host has stored nothing, as before the first power-on.
+  void ForgetRetentive() { has_stored_ = LaneSet(lanes() / 64, 0); }
   /// As sim::Engine::SendText, into one machine.
   void SendText(unsigned lane, std::string_view text);
 

@@ -67,6 +67,7 @@ Json JsonOf(const Record& record) {
   json["shards"] = record.shards;
   json["machine_ms"] = record.machine_ms;
   json["scans"] = record.parts;
+  json["scans_in_fleet"] = record.wide_parts;
   json["steps"] = record.steps;
   json["ended_by_time"] = record.out_of_time;
   json["inputs"] = record.inputs;
@@ -134,6 +135,7 @@ std::string ReadFrom(const Json& json, Record& record) {
   record.shards = json.at("shards").get<std::set<std::string>>();
   record.machine_ms = json.at("machine_ms");
   record.parts = json.at("scans");
+  record.wide_parts = json.value("scans_in_fleet", uint64_t{0});
   record.steps = json.at("steps");
   record.out_of_time = json.at("ended_by_time");
   record.inputs = json.at("inputs");
@@ -211,6 +213,7 @@ Record MakeRecord(const scenarios::ProveMachine& machine, const Soaked& soaked, 
   record.hash = Hash64(ir::Print(plan.program()));
   record.machine_ms = soaked.machine_ms;
   record.parts = soaked.parts;
+  record.wide_parts = soaked.wide_parts;
   record.steps = soaked.steps;
   record.out_of_time = soaked.out_of_time;
   record.inputs = inputs.all().size();
@@ -286,6 +289,7 @@ std::string AddRecord(Record& record, const Record& other) {
   record.machines += other.machines;
   record.machine_ms += other.machine_ms;
   record.parts += other.parts;
+  record.wide_parts += other.wide_parts;
   record.steps += other.steps;
   record.out_of_time = record.out_of_time || other.out_of_time;
   record.reached.Add(other.reached);

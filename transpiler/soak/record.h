@@ -50,6 +50,7 @@ struct Record {
   uint32_t machines = 0;
   std::set<std::string> shards;  // "1/2"; none: it was the whole
   uint64_t machine_ms = 0, parts = 0, steps = 0;
+  uint64_t wide_parts = 0;  // of the parts: in a fleet
   bool out_of_time = false;
   std::string plant;  // the file that moves the machine; empty: none does
   size_t inputs = 0, nameless = 0, driven = 0, nameless_outputs = 0;

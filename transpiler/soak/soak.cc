@@ -102,15 +102,20 @@ class Generations {
     const std::vector<std::optional<WideResult>> results =
         InThreads<WideResult>(request_.machines / kWideMachines, [&](size_t i, size_t job) {
           const uint64_t first = i * kWideMachines;
-          // A number that no machine has.
-          const uint64_t chance = ChanceOf(~request_.seed, request_.first_machine + i, soaked_.generations);
-          return wide_[job]->Run(
-              known_, *words_[job], chance, [&](uint32_t machine) { return ChanceOfMachine(first + machine); }, each);
+          const uint64_t chance =
+              ChanceOf(~request_.seed, request_.first_machine + i * request_.every, soaked_.generations);
+          return wide_[job]->Run(known_, *words_[job],
+                                 {.run = chance,
+                                  .of_machine = [&](uint32_t machine) { return ChanceOfMachine(first + machine); },
+                                  .most_ms = each,
+                                  .is_late = [this] { return Late(); }});
         });
     std::vector<const Promise*> promises;
     for (const std::optional<WideResult>& result : results) {
       if (!result) continue;
       soaked_.parts += result->parts;
+      soaked_.wide_parts += result->parts;
+      soaked_.outputs.Add(result->outputs);
       soaked_.machine_ms += result->machine_ms;
       soaked_.steps += result->steps;
       for (const Promise& promise : result->promises) promises.push_back(&promise);

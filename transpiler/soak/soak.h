@@ -58,6 +58,7 @@ struct Soaked {
   std::map<uint32_t, MessageLife> messages;
   OutputLife outputs;
   uint64_t machine_ms = 0, parts = 0, steps = 0, generations = 0;
+  uint64_t wide_parts = 0;   // of the parts: in wide runs
   bool is_found = false;     // what SoakRequest::until names
   bool out_of_time = false;  // of real time, before the machine-hours were over
 };

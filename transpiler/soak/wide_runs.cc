@@ -15,9 +15,10 @@
 namespace plcxx::soak {
 namespace {
 
-constexpr uint64_t kMostParts = 20'000;  // of each machine
-constexpr size_t kMostPromises = 16;     // of a run
-constexpr size_t kMostNews = 4;          // of a step
+constexpr uint64_t kMostParts = 20'000;    // of each machine
+constexpr uint64_t kMostBefore = 400'000;  // parts up to the moment where a run begins
+constexpr size_t kMostPromises = 16;       // of a run
+constexpr size_t kMostNews = 4;            // of a step
 
 /// As many fleets as it takes, each as wide as the library, in lockstep.
 class Fleets : public sim::Engine {
@@ -27,7 +28,7 @@ class Fleets : public sim::Engine {
       fleets_.push_back(std::make_unique<fleet::Fleet>(library));
     }
   }
-  std::vector<std::unique_ptr<fleet::Fleet>>& all() { return fleets_; }
+  const std::vector<std::unique_ptr<fleet::Fleet>>& all() const { return fleets_; }
   /// Only the first one runs: it does what all machines have in common.
   void RunFirstAlone(bool alone) { running_ = alone ? 1 : fleets_.size(); }
 
@@ -128,21 +129,25 @@ class WideMachines::Herd {
     };
     clock_.after_period = [this](uint32_t now_ms) {
       ++parts_;
+      if (awake_ > 1) LookAtOutputs();
       for (size_t i = 0; has_control_ && i < awake_; ++i) machines_[i]->control.AfterPeriod(now_ms);
     };
-    clock_.interrupted = [this] { return parts_ >= kMostParts; };
+    clock_.interrupted = [this] { return parts_ >= most_parts_ || (is_late_ && parts_ % 256 == 0 && is_late_()); };
   }
 
-  WideResult Run(const Known& known, Words& words, uint64_t chance,
-                 const std::function<uint64_t(uint32_t machine)>& machine_chance, uint64_t most_ms) {
-    const Start start = Begin(known, words, chance);
-    for (uint32_t i = 0; i < machines_.size(); ++i) machines_[i]->random = RandomOf(machine_chance(i));
+  WideResult Run(const Known& known, Words& words, const WideRequest& request) {
+    is_late_ = request.is_late;
+    const Start start = Begin(known, words, request.run);
+    for (uint32_t i = 0; i < machines_.size(); ++i) machines_[i]->random = RandomOf(request.of_machine(i));
     FindOpen(known, start);
+    BeginOutputs(known.plan);
     WideResult result;
-    terms::Random random = RandomOf(chance);
+    terms::Random random = RandomOf(request.run);
     const Stimuli* const scenario = start.scenario;
+    const uint64_t most_ms = request.most_ms;
     size_t next_step = 0;
     parts_ = 0;
+    most_parts_ = kMostParts;
     steps_.clear();
     uint64_t time_ms = clock_.time_ms();
     for (size_t step = 0; step < kMostSteps && result.machine_ms < most_ms * kWideMachines; ++step) {
@@ -155,15 +160,20 @@ class WideMachines::Herd {
       common.power_cycle = common.power_cycle || random.OneIn(kMostSteps);
       common = AsItHappens(std::move(common), known.plan.program().schedule);
       steps_.push_back(common);
-      const bool goes_on = Step(known, words, start.sought, follows, common);
+      const sim::Step ended = Step(known, words, start.sought, follows, common);
       const uint64_t now = clock_.time_ms();
       result.machine_ms += (now - std::min(now, time_ms)) * kWideMachines;
       result.steps += kWideMachines;
       time_ms = now;
       TakeNews(known, start, result);
-      if (!goes_on || open_.empty() || result.promises.size() >= kMostPromises) break;
+      // The scheduler is the same in all machines.
+      if (ended == sim::Step::kStuck && !known.causes.contains(WatchPlan::StuckCause(PieceEnd::kStuck).key)) {
+        result.promises.push_back({start.from, StimuliOf(known, *machines_.front()), {}});
+      }
+      if (ended != sim::Step::kDone || open_.empty() || result.promises.size() >= kMostPromises) break;
     }
     result.parts = parts_ * kWideMachines;
+    result.outputs = std::move(outputs_);
     return result;
   }
 
@@ -192,18 +202,11 @@ class WideMachines::Herd {
     writes_.clear();
     fleets_.RunFirstAlone(true);
     awake_ = 1;
-    parts_ = 0;
     Machine& first = *machines_.front();
-    first.control.Restore(*new_);
-    for (const auto& machine : machines_) machine->lane.PowerOn();
-    clock_.PowerOn();
-    first.control.PowerOn();
-    if (start.from) {
-      for (const Stimulus& stimulus : start.from->stimuli) {
-        if (stimulus.power_cycle) PowerCycle();
-        Set(words, stimulus, first);
-        if (!RunFor(AsItHappens(stimulus, known.plan.program().schedule))) break;
-      }
+    PowerOn(first);
+    if (start.from && !GoTo(*start.from, known, words, first)) {
+      start.from = nullptr;
+      PowerOn(first);
     }
     for (const auto& fleet : fleets_.all()) fleet->BecomeAll(*fleets_.all().front(), 0);
     const scenarios::ScenarioControl::Saved saved = first.control.Save();
@@ -217,6 +220,60 @@ class WideMachines::Herd {
     fleets_.RunFirstAlone(false);
     awake_ = machines_.size();
     return start;
+  }
+
+  /// For the first time.
+  void PowerOn(Machine& first) {
+    fleets_.all().front()->ForgetRetentive();
+    first.control.Restore(*new_);
+    first.lane.PowerOn();
+    clock_.PowerOn();
+    first.control.PowerOn();
+  }
+
+  /// False: it is too far.
+  bool GoTo(const Entry& entry, const Known& known, Words& words, Machine& first) {
+    parts_ = 0;
+    most_parts_ = kMostBefore;
+    return std::ranges::all_of(entry.stimuli, [&](const Stimulus& stimulus) {
+      if (stimulus.power_cycle) PowerCycle();
+      Set(words, stimulus, first);
+      return RunFor(AsItHappens(stimulus, known.plan.program().schedule)) == sim::Step::kDone;
+    });
+  }
+
+  /// Bits of outputs that were not seen both ways in this run; of all fleets.
+  void BeginOutputs(const WatchPlan& plan) {
+    outputs_ = {};
+    outputs_.ones.resize(plan.outputs().size());
+    outputs_.zeros.resize(plan.outputs().size());
+    unmoved_.clear();
+    for (uint32_t i = 0; i < plan.outputs().size(); ++i) {
+      const WatchPlan::OutputByte& byte = plan.outputs()[i];
+      for (uint8_t bit = 0; bit < 8; ++bit) {
+        if ((byte.mask >> bit & 1) != 0) unmoved_.push_back({i, byte.space, byte.offset, bit});
+      }
+    }
+  }
+
+  void LookAtOutputs() {
+    std::erase_if(unmoved_, [this](const OutputBit& output) {
+      uint64_t ones = 0, zeros = 0;
+      for (const auto& fleet : fleets_.all()) {
+        const std::span<const uint64_t> words = fleet->PlaneOf(output.space, output.offset, output.bit);
+        for (const uint64_t word : words) {
+          ones |= word;
+          zeros |= ~word;
+        }
+        if (words.empty()) (fleet->Bit(0, output.space, output.offset, output.bit) ? ones : zeros) |= 1;
+      }
+      const auto mask = static_cast<uint8_t>(1U << output.bit);
+      uint8_t& seen_ones = outputs_.ones[output.number];
+      uint8_t& seen_zeros = outputs_.zeros[output.number];
+      if (ones != 0) seen_ones |= mask;
+      if (zeros != 0) seen_zeros |= mask;
+      return (seen_ones & seen_zeros & mask) != 0;
+    });
   }
 
   /// What was noted on the way to where it begins is no news.
@@ -234,8 +291,8 @@ class WideMachines::Herd {
     }
   }
 
-  bool Step(const Known& known, Words& words, const std::vector<uint32_t>* sought, const Stimulus* follows,
-            const Stimulus& common) {
+  sim::Step Step(const Known& known, Words& words, const std::vector<uint32_t>* sought, const Stimulus* follows,
+                 const Stimulus& common) {
     if (common.power_cycle) PowerCycle();
     const std::vector<Input>& inputs = known.inputs.all();
     for (const auto& one : machines_) {
@@ -275,12 +332,10 @@ class WideMachines::Herd {
     return stimuli;
   }
 
-  bool RunFor(const Stimulus& time) {
-    const sim::Step step = time.slow != 0   ? clock_.RunSlow(time.slow)
-                           : time.fast != 0 ? clock_.RunFast(time.fast)
-                           : time.ms != 0   ? clock_.RunMs(time.ms)
-                                            : sim::Step::kDone;
-    return step == sim::Step::kDone;
+  sim::Step RunFor(const Stimulus& time) {
+    if (time.slow != 0) return clock_.RunSlow(time.slow);
+    if (time.fast != 0) return clock_.RunFast(time.fast);
+    return time.ms != 0 ? clock_.RunMs(time.ms) : sim::Step::kDone;
   }
 
   void PowerCycle() {
@@ -324,34 +379,40 @@ class WideMachines::Herd {
     }
   }
 
-  static std::optional<unsigned> FirstLaneWith(fleet::Fleet& fleet, const ir::Place& place) {
-    const std::span<const uint64_t> words = fleet.PlaneOf(place.space, place.offset, place.bit);
-    if (words.empty()) return fleet.Bit(0, place.space, place.offset, place.bit) ? std::optional(0U) : std::nullopt;
-    for (unsigned w = 0; w < words.size(); ++w) {
-      if (words[w] != 0) return 64 * w + static_cast<unsigned>(std::countr_zero(words[w]));
+  /// The first machine that has noted it.
+  std::optional<size_t> FirstWith(const ir::Place& place) {
+    size_t first = 0;
+    for (const auto& fleet : fleets_.all()) {
+      const std::span<const uint64_t> words = fleet->PlaneOf(place.space, place.offset, place.bit);
+      // What is the same in every machine.
+      if (words.empty())
+        return fleet->Bit(0, place.space, place.offset, place.bit) ? std::optional(first) : std::nullopt;
+      for (size_t w = 0; w < words.size(); ++w) {
+        if (words[w] != 0) return first + 64 * w + static_cast<size_t>(std::countr_zero(words[w]));
+      }
+      first += fleet->lanes();
     }
     return std::nullopt;
+  }
+  bool HasNoted(size_t machine, const ir::Place& place) const {
+    const fleet::Fleet& first = *fleets_.all().front();
+    const fleet::Fleet& fleet = *fleets_.all()[machine / first.lanes()];
+    return fleet.Bit(static_cast<unsigned>(machine % first.lanes()), place.space, place.offset, place.bit);
   }
 
   /// Of the machines with something new as many as have all of it; what one has needs no other.
   void TakeNews(const Known& known, const Start& start, WideResult& result) {
     const NotedProgram& noted = program_->noted;
     size_t taken = 0;
-    for (size_t f = 0; f < fleets_.all().size(); ++f) {
-      fleet::Fleet& fleet = *fleets_.all()[f];
-      for (size_t i = 0; i < open_.size() && taken < kMostNews && result.promises.size() < kMostPromises;) {
-        const std::optional<unsigned> lane = FirstLaneWith(fleet, noted.PlaceOf(open_[i]));
-        if (!lane) {
-          ++i;
-          continue;
-        }
-        result.promises.push_back({start.from, StimuliOf(known, *machines_[f * fleet.lanes() + *lane])});
-        ++taken;
-        std::erase_if(open_, [&](uint32_t mark) {
-          const ir::Place place = noted.PlaceOf(mark);
-          return fleet.Bit(*lane, place.space, place.offset, place.bit);
-        });
+    for (size_t i = 0; i < open_.size() && taken < kMostNews && result.promises.size() < kMostPromises;) {
+      const std::optional<size_t> machine = FirstWith(noted.PlaceOf(open_[i]));
+      if (!machine) {
+        ++i;
+        continue;
       }
+      result.promises.push_back({start.from, StimuliOf(known, *machines_[*machine]), open_[i]});
+      ++taken;
+      std::erase_if(open_, [&](uint32_t mark) { return HasNoted(*machine, noted.PlaceOf(mark)); });
     }
   }
 
@@ -366,16 +427,24 @@ class WideMachines::Herd {
   Stimuli steps_;  // of the run, without words
   std::unordered_map<const Stimulus*, std::vector<std::pair<Words::Write, const std::string*>>>
       writes_;  // looked up only
-  uint64_t parts_ = 0;
+  struct OutputBit {
+    uint32_t number;  // of its byte in WatchPlan::outputs
+    ir::SpaceId space;
+    uint32_t offset;
+    uint8_t bit;
+  };
+  std::vector<OutputBit> unmoved_;
+  OutputLife outputs_;
+  std::function<bool()> is_late_;
+  uint64_t parts_ = 0, most_parts_ = 0;
 };
 
 WideMachines::WideMachines(std::shared_ptr<const WideProgram> program)
     : herd_(std::make_unique<Herd>(std::move(program))) {}
 WideMachines::~WideMachines() = default;
 
-WideResult WideMachines::Run(const Known& known, Words& words, uint64_t chance,
-                             const std::function<uint64_t(uint32_t machine)>& machine_chance, uint64_t most_ms) {
-  return herd_->Run(known, words, chance, machine_chance, most_ms);
+WideResult WideMachines::Run(const Known& known, Words& words, const WideRequest& request) {
+  return herd_->Run(known, words, request);
 }
 
 }  // namespace plcxx::soak

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -42,11 +43,21 @@ std::variant<std::shared_ptr<const WideProgram>, std::string> CompileWide(
 struct Promise {
   std::shared_ptr<const Entry> from;  // where it began; none: at power-on
   Stimuli stimuli;                    // from there on
+  std::optional<uint32_t> mark;       // that was new; none: a part was not completed
 };
 
 struct WideResult {
   std::vector<Promise> promises;
   uint64_t parts = 0, machine_ms = 0, steps = 0;  // of all machines
+  OutputLife outputs;                             // after each part of each of them
+};
+
+/// What a wide run is asked to do.
+struct WideRequest {
+  uint64_t run = 0;                                      // the chance of what all machines have in common
+  std::function<uint64_t(uint32_t machine)> of_machine;  // and of each of them
+  uint64_t most_ms = 0;                                  // of each machine's time
+  std::function<bool()> is_late;                         // no real time is left; may be empty
 };
 
 /// Machines that make one wide run after the other; of one thread.
@@ -57,9 +68,7 @@ class WideMachines {
   WideMachines(const WideMachines&) = delete;
   WideMachines& operator=(const WideMachines&) = delete;
 
-  /// `chance` of the run; that of machine i is `machine_chance(i)`.
-  WideResult Run(const Known& known, Words& words, uint64_t chance,
-                 const std::function<uint64_t(uint32_t machine)>& machine_chance, uint64_t most_ms);
+  WideResult Run(const Known& known, Words& words, const WideRequest& request);
 
  private:
   class Herd;
