@@ -3,9 +3,9 @@
 // What only moves bits is made of bits: signs, and comparisons, which are exact that way. What rounds is a named
 // function ("f32.add") that a solver knows nothing of but that equal operands give equal results, and that has a value
 // for concrete operands: rounded to nearest even, every NaN the same one. The typed IR and compiled code must use the
-// same functions, so each is brought to one form: a - b is a + (-b), a / 4 is a * 0.25, a * 2 is a + a, operands that may be swapped
-// stand in the order of their ids, conversions of integers go by way of 64 bits. NaN is not further told apart: where
-// the sign or the payload of a NaN would matter, these functions are no description of a processor.
+// same functions, so each is brought to one form: a - b is a + (-b), a / 4 is a * 0.25, a * 2 is a + a, operands that
+// may be swapped stand in the order of their ids, conversions of integers go by way of 64 bits. NaN is not further told
+// apart: where the sign or the payload of a NaN would matter, these functions are no description of a processor.
 #pragma once
 
 #include <cstdint>
