@@ -160,6 +160,7 @@ class WideMachines::Herd {
       common.power_cycle = common.power_cycle || random.OneIn(kMostSteps);
       common = AsItHappens(std::move(common), known.plan.program().schedule);
       steps_.push_back(common);
+      if (common.power_cycle) time_ms = 0;
       const sim::Step ended = Step(known, words, start.sought, follows, common);
       const uint64_t now = clock_.time_ms();
       result.machine_ms += (now - std::min(now, time_ms)) * kWideMachines;
@@ -170,7 +171,7 @@ class WideMachines::Herd {
       if (ended == sim::Step::kStuck && !known.causes.contains(WatchPlan::StuckCause(PieceEnd::kStuck).key)) {
         result.promises.push_back({start.from, StimuliOf(known, *machines_.front()), {}});
       }
-      if (ended != sim::Step::kDone || open_.empty() || result.promises.size() >= kMostPromises) break;
+      if (ended != sim::Step::kDone || result.promises.size() >= kMostPromises) break;
     }
     result.parts = parts_ * kWideMachines;
     result.outputs = std::move(outputs_);
