@@ -60,7 +60,7 @@ def refuses_what_a_simulation_does(server, shown):
     assert "reading only" in server.refused("force", name="U4A9", value="0")
     assert "reading only" in server.refused("set", name="W2K2", value="1")
     assert "anew in each scan" in server.refused("toggle", name="I0A3")
-    assert "no value that fits" in server.refused("set", name="U4A9", value="2")
+    assert "'U4A9' takes 0 to 1" in server.refused("set", name="U4A9", value="2")
     assert "NOSUCH" in server.refused("watch", name="NOSUCH")
     assert "is not forced" in server.refused("release", name="U4A9")
 
