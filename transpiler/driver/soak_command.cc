@@ -260,7 +260,7 @@ void AddSoak(CLI::App& app, Run& run) {
                    "this processor")
       ->type_name("ENGINE")
       ->default_str(kSimulator)
-      ->check(CLI::IsMember({kSimulator, kFleet}));
+      ->check(OneOf({kSimulator, kFleet}));
   command->add_option("--cxx", settings->compiler, "C++ compiler for --engine fleet; else $CXX, c++, g++, clang++")
       ->type_name("CMD");
   command->add_option("--machines", settings->machines, "Machines that run beside each other: 16, in a fleet 1024")
