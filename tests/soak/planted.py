@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """plcxx soak finds faults that were planted in copies of the samples (planted.txt), each with a fixed seed.
 
-planted.py PLCXX ROOT [--few] [--length TIME] [NAME...]     --few: those that are found soon; --times: what each takes
+planted.py PLCXX ROOT [--few] [--length TIME] [--engine ENGINE] [NAME...]
+
+--few: those that are found soon
 """
 import pathlib
 import re
@@ -50,10 +52,14 @@ def plant(fault, folder):
 def main():
     arguments = sys.argv[1:]
     few = "--few" in arguments
-    length = "20min"
+    length, engine = "20min", "sim"
     if "--length" in arguments:
         at = arguments.index("--length")
         length = arguments[at + 1]
+        del arguments[at:at + 2]
+    if "--engine" in arguments:
+        at = arguments.index("--engine")
+        engine = arguments[at + 1]
         del arguments[at:at + 2]
     arguments = [word for word in arguments if word != "--few"]
     plcxx, root, *names = arguments
@@ -73,7 +79,7 @@ def main():
             shutil.copytree(root / "samples" / fault["sample"], folder, ignore=shutil.ignore_patterns("generated"))
             plant(fault, folder)
             begin = time.monotonic()
-            ran = subprocess.run([plcxx, "soak", str(folder), "--for", length, "--time", "60s", "--until", fault["find"]],
+            ran = subprocess.run([plcxx, "soak", str(folder), "--engine", engine, "--for", length, "--time", "60s", "--until", fault["find"]],
                                  capture_output=True, text=True, timeout=600)
             took = time.monotonic() - begin
             found = fault["find"] in ran.stdout
