@@ -65,7 +65,6 @@ TEST(Nc110Blocks, Errors) {
   });
 }
 
-// covers: NC110-193
 std::vector<std::string> ErrorsIn(const std::string& text) {
   Parsed parsed;
   ParseInto(parsed, {text});
@@ -83,6 +82,7 @@ TEST(Nc110Blocks, OneErrorForOneCause) {
   EXPECT_THAT(ErrorsIn("IF I0A0:\nU4A0=I0A1\nENDF\n"), ElementsAre("1:1 nc110-1"));
 }
 
+// covers: NC110-193
 TEST(Nc110Blocks, Nesting) {
   const auto nested = [](int levels) {
     std::string text;

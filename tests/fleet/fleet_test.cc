@@ -1,14 +1,13 @@
 // Each lane of a fleet is a machine of its own, beside a simulator with the same inputs.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <variant>
 
 #include "tests/fleet/lanes_beside.h"
 #include "tests/reference/random_program.h"
 #include "tests/reference/reference_dialects.h"
+#include "tests/reference/runs.h"
 #include "tests/temporary_directory.h"
 #include "tests/volume.h"
 #include "transpiler/compilation/compilation.h"
@@ -200,12 +199,7 @@ TEST(Fleet, RandomProgramsOfEachLanguage) {
       const reference::RandomProgram program =
           dialect.generate(random, reference::ProgramSize::kSmall, reference::Spelling::kPlain);
       const testing_support::TemporaryDirectory directory;
-      std::string scenario_path;
-      for (const reference::RenderedFile& file : Render(program, std::string(dialect.name))) {
-        scenario_path = (directory.path() / file.name).string();
-        std::ofstream(scenario_path, std::ios::binary) << file.text;
-      }
-      const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(scenario_path, scenarios::Reach::kAnywhere);
+      const scenarios::ScenarioOrErrors read = reference::WriteRandom(program, dialect, directory.path().string());
       ASSERT_TRUE(std::holds_alternative<scenarios::Scenario>(read));
       const compilation::Compilation compiled =
           compilation::Compile(scenarios::RequestOf(std::get<scenarios::Scenario>(read), {}));

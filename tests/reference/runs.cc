@@ -121,13 +121,18 @@ std::vector<uint64_t> TraceOf(const scenarios::Scenario& scenario, compilation::
   return trace;
 }
 
-RunResult RunRandom(const RandomProgram& program, const ReferenceDialect& dialect, const std::string& directory) {
+scenarios::ScenarioOrErrors WriteRandom(const RandomProgram& program, const ReferenceDialect& dialect,
+                                        const std::string& directory) {
   std::string scenario_text;
   for (const RenderedFile& file : Render(program, std::string(dialect.name))) {
     std::ofstream(directory + "/" + file.name, std::ios::binary) << file.text;
     scenario_text = file.text;
   }
-  const scenarios::ScenarioOrErrors read = scenarios::ParseScenario(directory + "/scenario.yaml", scenario_text);
+  return scenarios::ParseScenario(directory + "/scenario.yaml", scenario_text);
+}
+
+RunResult RunRandom(const RandomProgram& program, const ReferenceDialect& dialect, const std::string& directory) {
+  const scenarios::ScenarioOrErrors read = WriteRandom(program, dialect, directory);
   if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
     return {Outcome::kNothingToRun, yaml::ToText(errors->front()), 0};
   }

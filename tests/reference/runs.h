@@ -34,6 +34,10 @@ RunResult RunBeside(const scenarios::Scenario& scenario, compilation::Compilatio
 /// What the host sees of a scenario in the simulator: its memory after each piece of execution, as hashes.
 std::vector<uint64_t> TraceOf(const scenarios::Scenario& scenario, compilation::Compilation& compilation);
 
+/// Writes the program into `directory`, and reads the scenario that drives it there.
+scenarios::ScenarioOrErrors WriteRandom(const RandomProgram& program, const ReferenceDialect& dialect,
+                                        const std::string& directory);
+
 /// Writes the program into `directory`, compiles and runs it.
 RunResult RunRandom(const RandomProgram& program, const ReferenceDialect& dialect, const std::string& directory);
 

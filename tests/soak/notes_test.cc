@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "tests/reference/random_program.h"
 #include "tests/reference/reference_dialects.h"
+#include "tests/reference/runs.h"
 #include "tests/temporary_directory.h"
 #include "tests/volume.h"
 #include "transpiler/ir/verifier.h"
@@ -100,12 +100,7 @@ TEST(Notes, SayWhatWasGiven) {
       const reference::RandomProgram program =
           dialect.generate(random, reference::ProgramSize::kSmall, reference::Spelling::kPlain);
       const testing_support::TemporaryDirectory directory;
-      std::string scenario_path;
-      for (const reference::RenderedFile& file : Render(program, std::string(dialect.name))) {
-        scenario_path = (directory.path() / file.name).string();
-        std::ofstream(scenario_path, std::ios::binary) << file.text;
-      }
-      const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(scenario_path, scenarios::Reach::kAnywhere);
+      const scenarios::ScenarioOrErrors read = reference::WriteRandom(program, dialect, directory.path().string());
       ASSERT_TRUE(std::holds_alternative<scenarios::Scenario>(read));
       scenarios::ProveMachine machine;
       scenarios::MakeProveMachine(scenarios::RequestOf(std::get<scenarios::Scenario>(read), {}), machine);

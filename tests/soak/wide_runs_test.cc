@@ -116,7 +116,7 @@ TEST_P(WideRunsTest, PromisesAreKept) {
     for (const Promise& promise : result.promises) {
       ASSERT_TRUE(promise.mark);
       const Mark& mark = wide->noted.marks[*promise.mark];
-      Trial trial(known, words, promise.from.get(), promise.stimuli);
+      Trial trial(known, words, promise.from, promise.stimuli);
       Trial* const one = &trial;
       RunTrials(*simulated, {&one, 1});
       TrialResult kept = trial.Take();

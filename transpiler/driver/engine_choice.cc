@@ -47,7 +47,7 @@ class Choice {
     if (word.name == "host") return AddHost(word.one_in);
     if (word.name == "all") {
       options_.simulator = true;
-      if (!FindHostCompiler()) {
+      if (compiler_.empty() && engines::FindCompiler().empty()) {
         std::cerr << "plcxx: note: no C++ compiler found; scenarios run in the simulator only\n";
         return true;
       }
@@ -61,17 +61,9 @@ class Choice {
   }
 
  private:
-  bool FindHostCompiler() {
-    if (compiler_.empty()) compiler_ = engines::FindCompiler();
-    return !compiler_.empty();
-  }
-
   bool AddHost(uint32_t one_in) {
-    if (!FindHostCompiler()) {
-      PrintUsageError("there is no C++ compiler for '--engine host': install g++ or name one with --cxx");
-      return false;
-    }
-    return AddPlatform(engines::MakeHostPlatform(compiler_), one_in);
+    const std::optional<std::string> compiler = CompilerOf("host", compiler_);
+    return compiler && AddPlatform(engines::MakeHostPlatform(*compiler), one_in);
   }
 
   /// "fleet", as wide as this processor has it, or with a number of machines.
@@ -86,13 +78,11 @@ class Choice {
                       std::to_string(fleet::WidestFleet()) + " machines");
       return false;
     }
-    if (!FindHostCompiler()) {
-      PrintUsageError("there is no C++ compiler for '--engine fleet': install g++ or name one with --cxx");
-      return false;
-    }
+    const std::optional<std::string> compiler = CompilerOf("fleet", compiler_);
+    if (!compiler) return false;
     options_.simulator = true;
     // Compiling takes longer than a scenario; level 1 keeps what a fleet is made of and costs half.
-    options_.fleet = {.library = {.compiler = compiler_, .level = "1", .lanes = lanes}, .one_in = word.one_in};
+    options_.fleet = {.library = {.compiler = *compiler, .level = "1", .lanes = lanes}, .one_in = word.one_in};
     return true;
   }
 
@@ -125,6 +115,14 @@ class Choice {
 };
 
 }  // namespace
+
+std::optional<std::string> CompilerOf(std::string_view engine, const std::string& named) {
+  std::string compiler = named.empty() ? engines::FindCompiler() : named;
+  if (!compiler.empty()) return compiler;
+  PrintUsageError("there is no C++ compiler for '--engine " + std::string(engine) +
+                  "': install g++ or name one with --cxx");
+  return std::nullopt;
+}
 
 std::vector<std::string_view> EngineNames() {
   std::vector<std::string_view> names = {"sim", "host", "all", "fleet", "fleet64", "fleet256", "fleet512"};

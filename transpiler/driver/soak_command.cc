@@ -12,6 +12,7 @@
 
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/diagnostics_output.h"
+#include "transpiler/driver/engine_choice.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/one_of.h"
 #include "transpiler/driver/plant_choice.h"
@@ -21,7 +22,6 @@
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/soak_files.h"
 #include "transpiler/driver/terminal.h"
-#include "transpiler/engines/platform.h"
 #include "transpiler/scenarios/known_runs.h"
 #include "transpiler/scenarios/property_machine.h"
 #include "transpiler/soak/simulated_machines.h"
@@ -107,14 +107,6 @@ std::optional<Shard> ShardOf(const std::string& text) {
   return Shard{.number = *one, .count = *count};
 }
 
-/// None: the compiler is not there; reported.
-std::optional<std::string> CompilerOf(const SoakSettings& settings) {
-  std::string compiler = settings.compiler.empty() ? engines::FindCompiler() : settings.compiler;
-  if (!compiler.empty()) return compiler;
-  PrintUsageError("there is no C++ compiler for '--engine fleet': install g++ or name one with --cxx");
-  return std::nullopt;
-}
-
 int RunSoak(const SoakSettings& asked) {
   SoakSettings settings = asked;
   settings.directory = FolderOf(asked.common, asked.directory);
@@ -145,7 +137,7 @@ int RunSoak(const SoakSettings& asked) {
                       " is no multiple of " + side_by_side +
                       (shard->count == 1 ? "" : " for each of " + std::to_string(shard->count) + " parts"));
   }
-  const std::optional<std::string> compiler = is_fleet ? CompilerOf(settings) : std::string();
+  const std::optional<std::string> compiler = is_fleet ? CompilerOf(kFleet, settings.compiler) : std::string();
   if (!compiler) return kWrongUse;
 
   ChosenProperties chosen;

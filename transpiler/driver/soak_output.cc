@@ -154,8 +154,7 @@ std::string SoakText(const soak::Record& record, const std::string& directory) {
   if (record.wide_parts != 0) {
     text += Digits(record.wide_parts) +
             " of the scans were in a fleet, where only what is new and how outputs move is looked at: statements, "
-            "conditions "
-            "and calls of the control that had not been seen, properties of one moment.\n";
+            "conditions and calls of the control that had not been seen, properties of one moment.\n";
   }
   return diag::EscapedLines(text);
 }

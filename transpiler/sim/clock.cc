@@ -93,6 +93,12 @@ void Clock::Elapse(uint64_t end) {
   for (Engine* engine : engines_) engine->RunElapse(static_cast<uint32_t>(end));
 }
 
+Step Clock::RunFor(uint32_t slow, uint32_t fast, uint64_t ms) {
+  if (slow != 0) return RunSlow(slow);
+  if (fast != 0) return RunFast(fast);
+  return ms != 0 ? RunMs(ms) : Step::kDone;
+}
+
 Step Clock::RunSlow(uint32_t count) {
   if (program_.schedule.fast_ms != 0) return RunParts(Part::kWholePeriod, count);
   return RunUntil(program_.schedule.slow_done, count);

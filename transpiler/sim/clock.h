@@ -52,6 +52,8 @@ class Clock {
   /// is not a period's, the schedule's `elapse` runs at t + ms, and with `elapses_every_ms` at every other millisecond,
   /// too.
   Step RunMs(uint64_t ms);
+  /// The one of the three that is not 0, the first of them; none: nothing.
+  Step RunFor(uint32_t slow, uint32_t fast, uint64_t ms);
   /// `count` times the fast part alone; with Schedule::fast_done whole periods until it has run so often.
   Step RunFast(uint32_t count);
 

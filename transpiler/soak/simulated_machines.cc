@@ -60,10 +60,7 @@ class SimulatedMachine {
   void Run(const Piece& piece, const Machines::AfterPart& after) {
     number_ = piece.machine;
     after_ = &after;
-    const sim::Step step = piece.slow != 0   ? clock_.RunSlow(piece.slow)
-                           : piece.fast != 0 ? clock_.RunFast(piece.fast)
-                           : piece.ms != 0   ? clock_.RunMs(piece.ms)
-                                             : sim::Step::kDone;
+    const sim::Step step = clock_.RunFor(piece.slow, piece.fast, piece.ms);
     after_ = nullptr;
     end_ = simulator_.stopped() ? PieceEnd::kEndless : step == sim::Step::kStuck ? PieceEnd::kStuck : PieceEnd::kDone;
     control_.TakeMessages();  // only which are active is asked for

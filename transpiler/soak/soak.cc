@@ -121,7 +121,7 @@ class Generations {
       for (const Promise& promise : result->promises) promises.push_back(&promise);
     }
     RunAll(promises.size(), [&](size_t i, Words& words) {
-      return std::make_unique<Trial>(known_, words, promises[i]->from.get(), promises[i]->stimuli);
+      return std::make_unique<Trial>(known_, words, promises[i]->from, promises[i]->stimuli);
     });
   }
 

@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "transpiler/scenarios/control.h"
+
 namespace plcxx::soak {
 namespace {
 
@@ -18,10 +20,27 @@ terms::Random RandomOf(uint64_t chance) {
   return terms::Random((chance ^ chance >> 31) | 1);
 }
 
-const std::shared_ptr<const Entry>& PickEntry(const Known& known, terms::Random& random) {
-  const size_t count = known.entries.size();
-  const size_t among = random.OneIn(2) ? count : std::min(count, kNewest);
-  return known.entries[count - 1 - random.Next() % among];
+Beginning ChooseBeginning(const Known& known, terms::Random& random) {
+  const uint64_t from = random.Next() % 16;
+  if (from % 4 == 3 && !known.standing.empty()) {
+    // What makes it go, if anything does?
+    const Standing& standing = known.standing[random.Next() % known.standing.size()];
+    return {.from = standing.entry, .sought = standing.writers.empty() ? nullptr : &standing.writers};
+  }
+  if (from >= 4 && !known.entries.empty()) {
+    // The newest more often: they have seen what nothing else has.
+    const size_t count = known.entries.size();
+    const size_t among = random.OneIn(2) ? count : std::min(count, kNewest);
+    return {.from = known.entries[count - 1 - random.Next() % among]};
+  }
+  if (from == 0 || known.scenarios.empty()) return {};
+  return {.from = nullptr, .scenario = &known.scenarios[random.Next() % known.scenarios.size()]};
+}
+
+uint64_t ChooseValue(const Known& known, uint32_t number, sim::Engine& machine, terms::Random& random) {
+  const Input& input = known.inputs.all()[number];
+  const uint64_t now = input.location.cell ? 0 : scenarios::ReadLocation(machine, input.location);
+  return known.inputs.ValueFor(input, now, random);
 }
 
 void ChooseTime(const Known& known, terms::Random& random, Stimulus& stimulus) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "transpiler/review/diff/stimulus.h"
+#include "transpiler/sim/engine.h"
 #include "transpiler/soak/inputs.h"
 #include "transpiler/soak/machines.h"
 #include "transpiler/soak/watch.h"
@@ -52,8 +53,16 @@ struct Known {
 /// Steps of a trial, of a wide run.
 inline constexpr size_t kMostSteps = 60;
 
-/// A moment to go on from, the newest more often: they have seen what nothing else has. There is one at least.
-const std::shared_ptr<const Entry>& PickEntry(const Known& known, terms::Random& random);
+/// Where a trial or a wide run begins, and where it goes from there.
+struct Beginning {
+  std::shared_ptr<const Entry> from;              // none: power-on
+  const Stimuli* scenario = nullptr;              // to follow from power-on; may be none
+  const std::vector<uint32_t>* sought = nullptr;  // statements to which inputs are steered; none: the open ones
+};
+Beginning ChooseBeginning(const Known& known, terms::Random& random);
+
+/// What chance wants the input of this number to be, on a machine.
+uint64_t ChooseValue(const Known& known, uint32_t input, sim::Engine& machine, terms::Random& random);
 
 /// Calls `set` for the inputs that chance wants to be set now, by their number; for one of them perhaps again.
 /// `sought`: statements to which inputs are steered; none: the open ones.

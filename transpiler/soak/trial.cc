@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/scenarios/control.h"
-
 namespace plcxx::soak {
 namespace {
 
@@ -24,9 +22,9 @@ Trial::Trial(const Known& known, Words& words, uint64_t chance, uint64_t most_ms
       seen_(known.given),
       watch_(known.plan) {}
 
-Trial::Trial(const Known& known, Words& words, const Entry* from, const Stimuli& follows)
+Trial::Trial(const Known& known, Words& words, std::shared_ptr<const Entry> from, const Stimuli& follows)
     : Trial(known, words, 1, ~uint64_t{0}) {
-  from_ = from;
+  begin_.from = std::move(from);
   follows_ = &follows;
 }
 
@@ -34,10 +32,11 @@ void Trial::Begin(Machines& machines, size_t machine) {
   machine_ = machine;
   begin_work_ = machines.Work(machine);
   machines.NoteGiven(machine, given_);
-  if (follows_ == nullptr) {
-    ChooseBegin(machines);
-  } else if (from_ != nullptr) {
-    GoTo(*from_, machines);
+  if (follows_ == nullptr) begin_ = ChooseBeginning(known_, random_);
+  if (begin_.from) {
+    machines.Restore(machine, *begin_.from->moment);
+    stimuli_ = begin_.from->stimuli;
+    given_before_ = begin_.from->given;
   } else {
     machines.PowerOn(machine);
   }
@@ -45,42 +44,19 @@ void Trial::Begin(Machines& machines, size_t machine) {
   watch_.BeginFrom(machines, machine);
 }
 
-void Trial::GoTo(const Entry& entry, Machines& machines) {
-  machines.Restore(machine_, *entry.moment);
-  stimuli_ = entry.stimuli;
-  given_before_ = entry.given;
-}
-
-void Trial::ChooseBegin(Machines& machines) {
-  const uint64_t from = random_.Next() % 16;
-  if (from % 4 == 3 && !known_.standing.empty()) {
-    // What makes it go, if anything does?
-    const Standing& standing = known_.standing[random_.Next() % known_.standing.size()];
-    GoTo(*standing.entry, machines);
-    if (!standing.writers.empty()) sought_ = &standing.writers;
-  } else if (from >= 4 && !known_.entries.empty()) {
-    GoTo(*PickEntry(known_, random_), machines);
-  } else {
-    machines.PowerOn(machine_);
-    if (from >= 1 && !known_.scenarios.empty()) {
-      scenario_ = &known_.scenarios[random_.Next() % known_.scenarios.size()];
-    }
-  }
-}
-
 Stimulus Trial::Choose(Machines& machines) {
   Stimulus stimulus;
-  if (scenario_ != nullptr && next_step_ < scenario_->size()) {
-    stimulus = (*scenario_)[next_step_];
+  if (begin_.scenario != nullptr && next_step_ < begin_.scenario->size()) {
+    stimulus = (*begin_.scenario)[next_step_];
     if (!random_.OneIn(4)) ++next_step_;
     if (!random_.OneIn(5)) return stimulus;
-  } else {
-    if (const Stimulus* const other = PickOtherStep(known_, random_)) stimulus.words = other->words;
+  } else if (const Stimulus* const other = PickOtherStep(known_, random_)) {
+    stimulus.words = other->words;
   }
-  ChooseInputs(known_, sought_, random_, [&](uint32_t number) {
+  ChooseInputs(known_, begin_.sought, random_, [&](uint32_t number) {
+    const uint64_t value = ChooseValue(known_, number, machines.EngineOf(machine_), random_);
     const Input& input = known_.inputs.all()[number];
-    const uint64_t now = input.location.cell ? 0 : scenarios::ReadLocation(machines.EngineOf(machine_), input.location);
-    PutWord(stimulus, {input.name, Inputs::TextOf(input, known_.inputs.ValueFor(input, now, random_))});
+    PutWord(stimulus, {input.name, Inputs::TextOf(input, value)});
   });
   if (stimulus.slow == 0 && stimulus.fast == 0 && stimulus.ms == 0) ChooseTime(known_, random_, stimulus);
   if (random_.OneIn(60)) stimulus.power_cycle = true;

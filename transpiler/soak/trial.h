@@ -42,7 +42,7 @@ class Trial {
   /// What chance wants, for `most_ms` of the machine's time.
   Trial(const Known& known, Words& words, uint64_t chance, uint64_t most_ms);
   /// These steps and nothing else, from `from` on; none: from power-on.
-  Trial(const Known& known, Words& words, const Entry* from, const Stimuli& follows);
+  Trial(const Known& known, Words& words, std::shared_ptr<const Entry> from, const Stimuli& follows);
 
   void Begin(Machines& machines, size_t machine);
   /// The next step is done, but for its time. False: there is none.
@@ -53,8 +53,6 @@ class Trial {
   TrialResult Take() { return std::move(result_); }
 
  private:
-  void GoTo(const Entry& entry, Machines& machines);
-  void ChooseBegin(Machines& machines);
   Stimulus Choose(Machines& machines);
   bool GaveNews() const;
   Entry Here(Machines& machines) const;
@@ -64,11 +62,9 @@ class Trial {
   Words& words_;
   terms::Random random_;
   uint64_t most_ms_;
-  const Entry* from_ = nullptr;
+  Beginning begin_;
   const Stimuli* follows_ = nullptr;
-  const Stimuli* scenario_ = nullptr;
-  const std::vector<uint32_t>* sought_ = nullptr;  // statements to which inputs are steered; none: the open ones
-  size_t next_step_ = 0;                           // of `scenario_`, `follows_`
+  size_t next_step_ = 0;  // of the scenario, of `follows_`
   size_t machine_ = 0;
   Stimuli stimuli_;                            // from power-on
   std::vector<uint8_t> given_, given_before_;  // since the trial began; before it

@@ -137,7 +137,7 @@ class WideMachines::Herd {
 
   WideResult Run(const Known& known, Words& words, const WideRequest& request) {
     is_late_ = request.is_late;
-    const Start start = Begin(known, words, request.run);
+    const Beginning start = Begin(known, words, request.run);
     for (uint32_t i = 0; i < machines_.size(); ++i) machines_[i]->random = RandomOf(request.of_machine(i));
     FindOpen(known, start);
     BeginOutputs(known.plan);
@@ -179,26 +179,10 @@ class WideMachines::Herd {
   }
 
  private:
-  struct Start {
-    std::shared_ptr<const Entry> from;
-    const Stimuli* scenario = nullptr;
-    const std::vector<uint32_t>* sought = nullptr;
-  };
-
-  /// As a trial begins, with all machines at the same moment.
-  Start Begin(const Known& known, Words& words, uint64_t chance) {
+  /// All machines come to where it begins.
+  Beginning Begin(const Known& known, Words& words, uint64_t chance) {
     terms::Random random = RandomOf(~chance);
-    Start start;
-    const uint64_t from = random.Next() % 16;
-    if (from % 4 == 3 && !known.standing.empty()) {
-      const Standing& standing = known.standing[random.Next() % known.standing.size()];
-      start.from = standing.entry;
-      if (!standing.writers.empty()) start.sought = &standing.writers;
-    } else if (from >= 3 && !known.entries.empty()) {
-      start.from = PickEntry(known, random);
-    } else if (!known.scenarios.empty()) {
-      start.scenario = &known.scenarios[random.Next() % known.scenarios.size()];
-    }
+    Beginning start = ChooseBeginning(known, random);
     // One machine comes there, and all others become what it is.
     writes_.clear();
     fleets_.RunFirstAlone(true);
@@ -278,7 +262,7 @@ class WideMachines::Herd {
   }
 
   /// What was noted on the way to where it begins is no news.
-  void FindOpen(const Known& known, const Start& start) {
+  void FindOpen(const Known& known, const Beginning& start) {
     open_.clear();
     const fleet::Fleet& fleet = *fleets_.all().front();
     const NotedProgram& noted = program_->noted;
@@ -303,9 +287,7 @@ class WideMachines::Herd {
       if (done.words != nullptr) Set(words, *done.words, machine);
       if (follows != nullptr && !machine.random.OneIn(3)) continue;
       ChooseInputs(known, sought, machine.random, [&](uint32_t number) {
-        const Input& input = inputs[number];
-        const uint64_t now = input.location.cell ? 0 : scenarios::ReadLocation(machine.lane, input.location);
-        const uint64_t value = known.inputs.ValueFor(input, now, machine.random);
+        const uint64_t value = ChooseValue(known, number, machine.lane, machine.random);
         const auto same = std::ranges::find(done.inputs, number, &std::pair<uint32_t, uint64_t>::first);
         if (same == done.inputs.end()) {
           done.inputs.emplace_back(number, value);
@@ -333,11 +315,7 @@ class WideMachines::Herd {
     return stimuli;
   }
 
-  sim::Step RunFor(const Stimulus& time) {
-    if (time.slow != 0) return clock_.RunSlow(time.slow);
-    if (time.fast != 0) return clock_.RunFast(time.fast);
-    return time.ms != 0 ? clock_.RunMs(time.ms) : sim::Step::kDone;
-  }
+  sim::Step RunFor(const Stimulus& time) { return clock_.RunFor(time.slow, time.fast, time.ms); }
 
   void PowerCycle() {
     for (size_t i = 0; i < awake_; ++i) {
@@ -402,7 +380,7 @@ class WideMachines::Herd {
   }
 
   /// Of the machines with something new as many as have all of it; what one has needs no other.
-  void TakeNews(const Known& known, const Start& start, WideResult& result) {
+  void TakeNews(const Known& known, const Beginning& start, WideResult& result) {
     const NotedProgram& noted = program_->noted;
     size_t taken = 0;
     for (size_t i = 0; i < open_.size() && taken < kMostNews && result.promises.size() < kMostPromises;) {

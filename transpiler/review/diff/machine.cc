@@ -129,11 +129,7 @@ bool DiffMachine::Apply(const Stimulus& stimulus, execute::CellId prove::diff::S
 }
 
 bool DiffMachine::Advance(const Stimulus& stimulus) {
-  const sim::Step step = stimulus.slow != 0   ? clock_.RunSlow(stimulus.slow)
-                         : stimulus.fast != 0 ? clock_.RunFast(stimulus.fast)
-                         : stimulus.ms != 0   ? clock_.RunMs(stimulus.ms)
-                                              : sim::Step::kDone;
-  return step == sim::Step::kDone;
+  return clock_.RunFor(stimulus.slow, stimulus.fast, stimulus.ms) == sim::Step::kDone;
 }
 
 DiffMachine::Saved DiffMachine::Save() const {
