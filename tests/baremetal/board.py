@@ -4,6 +4,7 @@ import pathlib
 import re
 import socket
 import subprocess
+import sys
 import time
 
 COUNTED = ["-icount", "shift=4,sleep=off"]  # time is instructions: every run is the same
@@ -53,7 +54,12 @@ class Board:
                         break
                     time.sleep(0.05)
                 yield f"socket:{path}" if transport == "socket" else f"tcp:127.0.0.1:{port}"
+            if process.poll() is not None:
+                raise RuntimeError("the emulator ended by itself")
         finally:
+            ended = process.poll()
             process.kill()
             process.wait()
+            if ended is not None:
+                print(f"the emulator ended by itself, with {ended}: {process.stdout.read()}", file=sys.stderr)
             process.stdout.close()

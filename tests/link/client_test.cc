@@ -44,6 +44,7 @@ class MemoryWire : public Transport {
     if (from_machine) from_machine(bytes);
     return bytes;
   }
+  std::string WhyGone() const override { return "the connection is closed"; }
 
   LinkedMachine<Settings> bench;
   std::function<void(Machine&)> program;
@@ -228,7 +229,17 @@ TEST(LinkTransport, ASilentEndIsWaitedForAndAClosedOneIsNoticed) {
   EXPECT_THAT(Text(client.ReadLimits()), HasSubstr("nobody answers"));
   far.reset();
   EXPECT_EQ(near->Receive(10), std::nullopt);
+  EXPECT_THAT(near->WhyGone(), HasSubstr("the connection is closed"));
   EXPECT_FALSE(near->Send(Bytes{1}));
+  EXPECT_EQ(near->WhyGone(), "the connection is closed: broken pipe");  // the words of the system
+}
+
+TEST(LinkTransport, AnEndThatTakesNothingIsGivenUp) {
+  int ends[2] = {};
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends), 0);
+  const std::unique_ptr<Transport> near = TransportOf(ends[0]), far = TransportOf(ends[1]);
+  EXPECT_FALSE(near->Send(Bytes(10'000'000)));
+  EXPECT_EQ(near->WhyGone(), "the connection takes nothing for 2 s");
 }
 
 TEST(Address, IsWrongAsItIsWrittenOrNobodyIsThere) {

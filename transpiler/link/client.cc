@@ -66,8 +66,8 @@ Result<Answer> Client::Ask(LinkCommand command, uint32_t offset, const Bytes& pa
   const Bytes frame = FrameOf(command, number, offset, payload);
   for (int i = 0; i < (repeat == Repeat::kYes ? kTries : 1); ++i) {
     // What the machine still waits for after a frame that was cut off: no frame is longer.
-    if (i != 0 && !transport_.Send(Bytes(kLinkFrame, 0))) return Failure{"the connection is closed"};
-    if (!transport_.Send(frame)) return Failure{"the connection is closed"};
+    if (i != 0 && !transport_.Send(Bytes(kLinkFrame, 0))) return Failure{transport_.WhyGone()};
+    if (!transport_.Send(frame)) return Failure{transport_.WhyGone()};
     const Clock::time_point end = Clock::now() + std::chrono::milliseconds(answer_ms_);
     while (Clock::now() < end) {
       while (std::optional<Answer> answer = answers_.Next()) {
@@ -77,7 +77,7 @@ Result<Answer> Client::Ask(LinkCommand command, uint32_t offset, const Bytes& pa
       }
       const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
       const std::optional<Bytes> bytes = transport_.Receive(std::max(1, static_cast<int>(left)));
-      if (!bytes) return Failure{"the connection is closed"};
+      if (!bytes) return Failure{transport_.WhyGone()};
       answers_.Feed(*bytes);
     }
   }
@@ -106,7 +106,7 @@ std::string Client::Order(LinkCommand command, uint32_t offset, const Bytes& pay
 
 Result<Bytes> Client::ReadIdentity() {
   // A frame that somebody else has begun ends here.
-  if (!transport_.Send(Bytes(kLinkFrame, 0))) return Failure{"the connection is closed"};
+  if (!transport_.Send(Bytes(kLinkFrame, 0))) return Failure{transport_.WhyGone()};
   return Read(LinkCommand::kIdentity, 0, kLinkIdentityBytes);
 }
 

@@ -55,10 +55,11 @@ class FileTransport : public Transport {
       if (count < 0 && errno == ENOTSOCK) count = write(end_.number(), bytes.data(), bytes.size());
       if (count < 0 && errno == EINTR) continue;
       if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
-        if (!IsReady(end_.number(), POLLOUT, kSendMs)) return false;
-        continue;
+        if (IsReady(end_.number(), POLLOUT, kSendMs)) continue;
+        why_gone_ = "the connection takes nothing for " + std::to_string(kSendMs / 1000) + " s";
+        return false;
       }
-      if (count < 0) return false;
+      if (count < 0) return Closed(errno);
       bytes = bytes.subspan(static_cast<size_t>(count));
     }
     return true;
@@ -69,13 +70,26 @@ class FileTransport : public Transport {
     Bytes bytes(kPiece);
     const ssize_t count = read(end_.number(), bytes.data(), bytes.size());
     if (count < 0 && (errno == EAGAIN || errno == EINTR)) return Bytes();
-    if (count <= 0) return std::nullopt;
+    if (count <= 0) {
+      Closed(count < 0 ? errno : 0);
+      return std::nullopt;
+    }
     bytes.resize(static_cast<size_t>(count));
     return bytes;
   }
 
+  std::string WhyGone() const override { return why_gone_; }
+
  private:
+  /// `error`: the system's, or 0 where the other end has just ended. False, for Send.
+  bool Closed(int error) {
+    why_gone_ = "the connection is closed";
+    if (error != 0) why_gone_ += ": " + support::SystemWords(error);
+    return false;
+  }
+
   Descriptor end_;
+  std::string why_gone_;
 };
 
 /// Empty: connected. The descriptor does not block, so that a host that does not answer is given up.

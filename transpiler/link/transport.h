@@ -22,6 +22,8 @@ class Transport {
   virtual bool Send(std::span<const uint8_t> bytes) = 0;
   /// What has come, waiting so long for the first byte; none: the other end is gone.
   virtual std::optional<Bytes> Receive(int wait_ms) = 0;
+  /// After one of these said that the other end is gone: how it went; lower case, no full stop.
+  virtual std::string WhyGone() const = 0;
 };
 
 struct OpenedTransport {
