@@ -5,7 +5,8 @@
         the median of ten keys, and of ten hovers; time of the process and on the clock; fails when one has taken more
         than so much memory
 
-C is measured twice: after a key in a function only that one is read again, after one outside of them all of the program.
+C is measured twice: after a key in a function, when only that one is read again, and after one outside of them, when
+those are whose names may mean something else.
 The time of the process is what the server works; on the clock the client's reading of thousands of messages comes in, and
 whatever else the machine does. The targets are those of 10,000 statements: 100 ms, 20 ms, 200 MB.
 """

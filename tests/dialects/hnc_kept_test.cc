@@ -11,6 +11,7 @@
 #include "tests/dialects/hnc_parsing.h"
 #include "tests/temporary_directory.h"
 #include "transpiler/dialects/hnc/parser/kept_program.h"
+#include "transpiler/dialects/hnc/syntax/characters.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -369,6 +370,119 @@ const std::vector<std::string>& Pieces() {
   return *pieces;
 }
 
+/// What may stand in the place of a word outside of bodies, or in front of a line.
+const std::vector<std::string>& OutsidePieces() {
+  static const auto* const pieces = new std::vector<std::string>{"int",
+                                                                 "long",
+                                                                 "char",
+                                                                 "unsigned char",
+                                                                 "float",
+                                                                 "double",
+                                                                 "struct axis",
+                                                                 "union both",
+                                                                 "BYTE",
+                                                                 "BOUNDS",
+                                                                 "NAMED",
+                                                                 "const",
+                                                                 "static",
+                                                                 "extern",
+                                                                 "typedef",
+                                                                 "mode",
+                                                                 "axes",
+                                                                 "axis",
+                                                                 "both",
+                                                                 "later",
+                                                                 "plain",
+                                                                 "limited",
+                                                                 "bounded",
+                                                                 "count",
+                                                                 "steps",
+                                                                 "names",
+                                                                 "named",
+                                                                 "nameless",
+                                                                 "point",
+                                                                 "bit",
+                                                                 "SAY",
+                                                                 "TWICE",
+                                                                 "CALL",
+                                                                 "a1",
+                                                                 "a7",
+                                                                 "b1",
+                                                                 "old",
+                                                                 "low",
+                                                                 "high",
+                                                                 "at",
+                                                                 "state",
+                                                                 "flag",
+                                                                 "IDLE",
+                                                                 "RUN",
+                                                                 "STOP",
+                                                                 "x",
+                                                                 "y",
+                                                                 "c",
+                                                                 "v",
+                                                                 "R",
+                                                                 "X",
+                                                                 "plc1",
+                                                                 "plc2",
+                                                                 "0",
+                                                                 "1",
+                                                                 "5",
+                                                                 "7",
+                                                                 "12",
+                                                                 "*",
+                                                                 "[3]",
+                                                                 "(",
+                                                                 ")",
+                                                                 ";",
+                                                                 "= 3",
+                                                                 "void",
+                                                                 "enum mode",
+                                                                 "",
+                                                                 "int later;",
+                                                                 "extern long later;",
+                                                                 "int plain();",
+                                                                 "int plain(int);",
+                                                                 "static int plain(void);",
+                                                                 "int axes;",
+                                                                 "struct axis { int at; };",
+                                                                 "struct axis;",
+                                                                 "enum mode { IDLE, RUN = 6, STOP };",
+                                                                 "typedef int BOUNDS;",
+                                                                 "typedef char BYTE;",
+                                                                 "struct { struct point { long x; } p; } holder;",
+                                                                 "enum { MOST = 3 };",
+                                                                 "const int MOST = 4;",
+                                                                 "#define bit(g,b) (X[g]&(2<<(b)))",
+                                                                 "#undef bit",
+                                                                 "#define R X",
+                                                                 "#define MOST 9",
+                                                                 "#define at state",
+                                                                 "#define SAY(a) a; a",
+                                                                 "#define int long",
+                                                                 "#define TWICE(f) f ## f()",
+                                                                 "#pragma option -K",
+                                                                 "int limited();",
+                                                                 "extern int bounded(int);",
+                                                                 "int missing_function(int v) { return v; }",
+                                                                 "int never_defined = 3;",
+                                                                 "int q;",
+                                                                 "void gone(int v) { R[7] = v; }",
+                                                                 "int abs(int v) { return v; }",
+                                                                 "int i;",
+                                                                 "char text;",
+                                                                 "extern char P_ui;",
+                                                                 "int fresh(void) { return IDLE + R[8]; }",
+                                                                 "#if 0",
+                                                                 "#endif",
+                                                                 "#include \"types.h\"",
+                                                                 "/* open",
+                                                                 "*/",
+                                                                 "{",
+                                                                 "}"};
+  return *pieces;
+}
+
 class Edits {
  public:
   Edits(const Texts& texts, uint32_t seed) : originals_(texts), random_(seed) {
@@ -377,10 +491,7 @@ class Edits {
 
   /// One more change; every few of them the program is as it was.
   void Apply(EditedProgram& program) {
-    if (Below(3) == 0) {
-      for (const auto& [name, text] : originals_) program.Set(name, text);
-      if (Below(3) == 0) return;
-    }
+    if (IsUndone(program)) return;
     const std::string& name = names_[Below(names_.size())];
     std::string text = program.texts().at(name);
     const size_t at = Below(text.size() + 1);
@@ -403,7 +514,63 @@ class Edits {
     program.Set(name, std::move(text));
   }
 
+  /// The same for what stands outside of bodies: a word, a line, two lines.
+  void ApplyOutside(EditedProgram& program) {
+    if (IsUndone(program)) return;
+    const std::string& name = names_[Below(names_.size())];
+    std::string text = program.texts().at(name);
+    const std::vector<source::Range> lines = LinesOutside(text);
+    if (lines.empty()) return;
+    const source::Range line = lines[Below(lines.size())];
+    const std::string written = text.substr(line.begin, line.end - line.begin);
+    switch (Below(8)) {
+      case 0:
+        text.erase(line.begin, line.end - line.begin);
+        break;
+      case 1:  // it stands later, or twice
+        text.insert(lines[Below(lines.size())].begin, written);
+        break;
+      case 2:
+        text.insert(line.begin, OutsidePieces()[Below(OutsidePieces().size())] + "\n");
+        break;
+      default: {
+        const std::vector<source::Range> words = WordsIn(text, line);
+        if (words.empty()) return;
+        const source::Range word = words[Below(words.size())];
+        text.replace(word.begin, word.end - word.begin, OutsidePieces()[Below(OutsidePieces().size())]);
+      }
+    }
+    program.Set(name, std::move(text));
+  }
+
  private:
+  bool IsUndone(EditedProgram& program) {
+    if (Below(3) != 0) return false;
+    for (const auto& [name, text] : originals_) program.Set(name, text);
+    return Below(3) == 0;
+  }
+  /// With their ends, those that begin outside of braces.
+  static std::vector<source::Range> LinesOutside(const std::string& text) {
+    std::vector<source::Range> lines;
+    int depth = 0;
+    for (size_t at = 0; at < text.size();) {
+      const size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
+      if (depth == 0) lines.push_back({static_cast<source::Offset>(at), static_cast<source::Offset>(end)});
+      for (; at < end; ++at) depth += text[at] == '{' ? 1 : text[at] == '}' ? -1 : 0;
+    }
+    return lines;
+  }
+  static std::vector<source::Range> WordsIn(const std::string& text, source::Range line) {
+    std::vector<source::Range> words;
+    for (source::Offset at = line.begin; at < line.end; ++at) {
+      if (!IsWord(text[at])) continue;
+      const source::Offset begin = at;
+      while (at < line.end && IsWord(text[at])) ++at;
+      words.push_back({begin, at});
+    }
+    return words;
+  }
+
   size_t Below(size_t limit) { return limit == 0 ? 0 : random_() % limit; }
   static size_t AtLine(const std::string& text, size_t at) { return std::min(text.find('\n', at), text.size()); }
   static size_t BehindStatement(const std::string& text, size_t at) {
@@ -416,16 +583,24 @@ class Edits {
   std::vector<std::string> names_;
 };
 
-void EditAndCompare(const Texts& texts, uint32_t seed, uint32_t count) {
+std::string AllOf(const Texts& texts) {
+  std::string all;
+  for (const auto& [name, text] : texts) all += "\n--- " + name + "\n" + text;
+  return all;
+}
+
+enum class Place : uint8_t { kAnywhere, kOutside };
+
+void EditAndCompare(const Texts& texts, uint32_t seed, uint32_t count, Place place = Place::kAnywhere) {
   EditedProgram program(texts);
   Edits edits(texts, seed);
   ASSERT_EQ(program.Difference(), "");
   uint32_t runs_that_took_over = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    edits.Apply(program);
-    ASSERT_EQ(program.Difference(), "") << "edit " << i << " of seed " << seed << "\n"
-                                        << program.texts().at("main.cld") << "\n---\n"
-                                        << (program.texts().contains("types.h") ? program.texts().at("types.h") : "");
+    const Texts before = program.texts();
+    place == Place::kOutside ? edits.ApplyOutside(program) : edits.Apply(program);
+    ASSERT_EQ(program.Difference(), "") << "edit " << i << " of seed " << seed << AllOf(before)
+                                        << "\n=== is now ===" << AllOf(program.texts());
     if (program.taken_over() > 0) ++runs_that_took_over;
   }
   EXPECT_GT(runs_that_took_over * 6, count) << "it is about what is taken over";
@@ -437,13 +612,54 @@ uint32_t EditCount(uint32_t usual) {
   return wanted == nullptr ? usual : static_cast<uint32_t>(std::atoi(wanted));
 }
 
-TEST(HncKept, DenseProgram) {
-  const char* const seed = std::getenv("PLCXX_KEPT_SEED");
-  EditAndCompare(DenseTexts(), seed == nullptr ? 1 : static_cast<uint32_t>(std::atoi(seed)), EditCount(300));
+uint32_t Seed() {
+  const char* const wanted = std::getenv("PLCXX_KEPT_SEED");
+  return wanted == nullptr ? 1 : static_cast<uint32_t>(std::atoi(wanted));
 }
-TEST(HncKept, WhatIsSaidOnce) {
-  const char* const seed = std::getenv("PLCXX_KEPT_SEED");
-  EditAndCompare(SharedTexts(), seed == nullptr ? 1 : static_cast<uint32_t>(std::atoi(seed)), EditCount(300));
+
+TEST(HncKept, DenseProgram) { EditAndCompare(DenseTexts(), Seed(), EditCount(300)); }
+TEST(HncKept, WhatIsSaidOnce) { EditAndCompare(SharedTexts(), Seed(), EditCount(300)); }
+TEST(HncKept, OutsideOfBodies) {
+  EditAndCompare(DenseTexts(), Seed(), EditCount(300), Place::kOutside);
+  EditAndCompare(SharedTexts(), Seed(), EditCount(300), Place::kOutside);
+}
+
+/// What is said outside of bodies, and what of them is read again.
+TEST(HncKept, WhatIsSaidOfNames) {
+  struct Case {
+    const char *old_part, *new_part;
+    uint32_t taken_over;  // of the seven bodies
+  };
+  const char* const text =
+      "#define TWO 2\n#define FOUR (TWO * 2)\nstruct pair { int a; char b; } pair;\nenum { ONE = 1 };\nint used[4];\n"
+      "int later(int v);\nvoid f(void) { pair.a = ONE; }\nvoid g(void) { used[1] = FOUR; }\n"
+      "void h(void) { R[1] = later(3); }\nint later(int v) { return v; }\n";
+  const Case cases[] = {
+      {"used[4];", "used[4]; ", 7},
+      {"used[4];", "used[4]; long other;", 7},
+      {"used[4];", "used[8];", 6},
+      {"TWO 2", "TWO 3", 6},
+      {"int a; char b;", "int a; long b;", 6},
+      {"ONE = 1", "ZERO, ONE", 7},
+      {"ONE = 1", "ONE = 2", 6},
+      {"later(int v);", "later(int w);", 7},
+      {"later(int v);", "later();", 5},
+      {"void h(void)", "int spare;\nvoid h(void)", 7},
+      {"void h(void)", "void more(void) { used[2] = 1; }\nvoid h(void)", 7},
+      {"void g(void)", "#define R X\nvoid g(void)", 6},
+      {"int used[4];", "", 6},
+  };
+  for (const Case& each : cases) {
+    EditedProgram program({{"main.cld", Program(text)}});
+    EXPECT_EQ(program.Difference(), "");
+    std::string changed = Program(text);
+    changed.replace(changed.find(each.old_part), std::string(each.old_part).size(), each.new_part);
+    program.Set("main.cld", changed);
+    EXPECT_EQ(program.Difference(), "") << changed;
+    EXPECT_EQ(program.taken_over(), each.taken_over) << changed;
+    program.Set("main.cld", Program(text));
+    EXPECT_EQ(program.Difference(), "") << changed;
+  }
 }
 /// One change in the first function, and what it means for the others.
 TEST(HncKept, WhatOneBodySaysOfOthers) {
@@ -475,10 +691,7 @@ TEST(HncKept, WhatOneBodySaysOfOthers) {
     EXPECT_EQ(program.Difference(), "") << each.text;
   }
 }
-TEST(HncKept, Sample) {
-  const char* const seed = std::getenv("PLCXX_KEPT_SEED");
-  EditAndCompare(SampleTexts(), seed == nullptr ? 1 : static_cast<uint32_t>(std::atoi(seed)), EditCount(40));
-}
+TEST(HncKept, Sample) { EditAndCompare(SampleTexts(), Seed(), EditCount(40)); }
 
 TEST(HncKept, NothingChangedTakesAllOver) {
   EditedProgram program(SampleTexts());

@@ -1,12 +1,12 @@
-// What of one run of the parser the next one may take over: bodies of functions whose text has not changed, in a
-// program that is the same outside of bodies. An editor asks for a whole program after each key, and nearly all of it
-// is as it was.
+// What of one run of the parser the next one may take over: bodies of functions whose text has not changed, and whose
+// words mean what they meant. An editor asks for a whole program after each key, and nearly all of it is as it was.
 //
 // A body is taken over only where the parser, reading it again, could not come to anything else: nothing was found in
 // it, it declares nothing that is seen elsewhere, and nothing in it is a directive. All else is read again.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,6 +45,8 @@ struct FunctionBody {
   StatementId root;
   uint32_t statement_count = 0;
   std::vector<Need> needs;
+  std::shared_ptr<const std::vector<std::string>> words;  // all names in its text, each once; null: they are not known
+  uint64_t environment = 0;  // a digest of what the words mean there (environment.h); 0: equal to none
 };
 
 /// A body that the texts of this run do not have: between its braces is nothing but the ends of its lines.
@@ -57,6 +59,7 @@ struct KeptBodies {
   Unit* unit = nullptr;                               // of the run before; what is taken over is moved out of it
   const std::vector<FunctionBody>* bodies = nullptr;  // likewise
   std::vector<ElidedBody> elided;                     // by place
+  bool is_changed_outside = false;                    // the environments of bodies may be other ones
 };
 
 }  // namespace plcxx::hnc

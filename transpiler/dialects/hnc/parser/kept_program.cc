@@ -128,9 +128,36 @@ std::string SettingsOf(const dialects::Request& request) {
   return all;
 }
 
-Reuse::Reuse(KeptProgram& before) : before_(before), expected_(before.bodies.size()), is_elided_(before.bodies.size()) {
+struct Reuse::Change {
+  source::Offset begin = 0, end = 0;  // of what went, as a place of the run before; both 0: nothing has changed
+  source::Offset grown = 0;           // unsigned, and back again: a text may have become shorter
+
+  bool IsSome() const { return end != 0; }
+  bool IsIn(source::Range inside) const { return IsSome() && inside.begin <= begin && end <= inside.end; }
+};
+
+Reuse::Reuse(KeptProgram& before, const std::vector<uint32_t>& stale)
+    : before_(before), is_stale_(before.bodies.size()), expected_(before.bodies.size()) {
   kept_.unit = &before.unit;
   kept_.bodies = &before.bodies;
+  for (const uint32_t i : stale) is_stale_[i] = true;
+}
+
+std::vector<uint32_t> Reuse::BodiesIn(const KeptProgram::File& file) const {
+  std::vector<uint32_t> within;
+  for (uint32_t i = 0; i < before_.bodies.size(); ++i) {
+    const source::Range inside = before_.bodies[i].inside;
+    if (inside.begin >= file.base && inside.end <= file.base + file.text.size()) within.push_back(i);
+  }
+  std::ranges::sort(within, {}, [&](uint32_t i) { return before_.bodies[i].inside.begin; });
+  return within;
+}
+
+std::optional<source::Range> Reuse::NowAt(source::Range inside, const Change& change) {
+  if (!change.IsSome() || inside.end < change.begin) return inside;  // with its '}'
+  if (change.IsIn(inside)) return source::Range{inside.begin, inside.end + change.grown};
+  if (inside.begin > change.end) return source::Range{inside.begin + change.grown, inside.end + change.grown};
+  return std::nullopt;
 }
 
 std::optional<SourceText> Reuse::TextOf(const source::SourceManager& sources, source::FileId file) {
@@ -142,31 +169,25 @@ std::optional<SourceText> Reuse::TextOf(const source::SourceManager& sources, so
   }
   const std::string& old = known->text;
   const Difference difference = Compare(old, now.text);
-  const source::Offset changed_begin = known->base + static_cast<source::Offset>(difference.begin);
-  const source::Offset changed_end = known->base + static_cast<source::Offset>(old.size() - difference.same_end);
-  const bool is_same = old.size() == now.text.size() && difference.begin == old.size();
-  const auto grown = static_cast<source::Offset>(now.text.size() - old.size());
-  std::vector<uint32_t> within;  // by place
-  for (uint32_t i = 0; i < before_.bodies.size(); ++i) {
-    const source::Range inside = before_.bodies[i].inside;
-    if (inside.begin >= known->base && inside.end <= known->base + old.size()) within.push_back(i);
+  Change change;
+  if (old.size() != now.text.size() || difference.begin != old.size()) {
+    change = {.begin = known->base + static_cast<source::Offset>(difference.begin),
+              .end = known->base + static_cast<source::Offset>(old.size() - difference.same_end),
+              .grown = static_cast<source::Offset>(now.text.size() - old.size())};
   }
-  std::ranges::sort(within, {}, [&](uint32_t i) { return before_.bodies[i].inside.begin; });
-  bool found = is_same;
+  bool is_outside = change.IsSome();
   std::vector<LeftOutText> parts;
-  for (const uint32_t i : within) {
+  for (const uint32_t i : BodiesIn(*known)) {
     const FunctionBody& body = before_.bodies[i];
-    const bool changes = !is_same && body.inside.begin <= changed_begin && changed_end <= body.inside.end;
-    // Unsigned, and back again: a text may have become shorter.
-    const bool is_behind = !is_same && !changes && body.inside.begin > changed_begin;
-    source::Range inside{body.inside.begin - known->base, body.inside.end - known->base};
-    if (is_behind) inside = {inside.begin + grown, inside.end + grown};
-    if (changes) inside.end += grown;
+    const std::optional<source::Range> at = NowAt(body.inside, change);
+    if (!at) continue;
+    const source::Range inside{at->begin - known->base, at->end - known->base};
     expected_[i] = {inside.begin + now.base, inside.end + now.base};
-    if (changes)
-      found = !HasDirective(old, body.inside, known->base) && !HasDirective(now.text, expected_[i], now.base);
-    if (changes || !body.is_reusable) continue;
-    is_elided_[i] = true;
+    if (change.IsIn(body.inside)) {
+      is_outside = HasDirective(old, body.inside, known->base) || HasDirective(now.text, expected_[i], now.base);
+      continue;
+    }
+    if (!body.is_reusable || is_stale_[i]) continue;
     kept_.elided.push_back({expected_[i], i});
     LeftOutText part{.begin = inside.begin, .end = inside.end, .comments = {}};
     for (const Comment* comment : CommentsIn(before_.unit, body.inside)) {
@@ -175,33 +196,40 @@ std::optional<SourceText> Reuse::TextOf(const source::SourceManager& sources, so
     }
     parts.push_back(std::move(part));
   }
-  std::optional<SourceText> text;
-  if (found) text = RewriteWithout(sources, file, std::move(parts));
+  if (is_outside) kept_.is_changed_outside = true;
+  std::optional<SourceText> text = RewriteWithout(sources, file, std::move(parts));
   if (!text) Misfit();
   return text;
+}
+
+/// All that was left out has been taken over; whatever else there is was read.
+bool Reuse::FitsOutside(const ParserOutput& output) const {
+  const auto taken = std::ranges::count_if(output.bodies, &FunctionBody::was_taken_over);
+  return static_cast<size_t>(taken) == kept_.elided.size();
 }
 
 bool Reuse::Fits(const source::SourceManager& sources, const std::vector<const SourceText*>& texts,
                  const ParserOutput& output) const {
   const bool same = fits_ && output.kept_fits && output.can_keep && output.missing.empty() &&
-                    output.read == before_.read && output.token_count + before_.token_count <= kMaxTokens &&
-                    output.bodies.size() == expected_.size();
-  if (!same) return false;
-  for (size_t i = 0; i < expected_.size(); ++i) {
-    if (!(output.bodies[i].inside == expected_[i])) return false;
+                    output.read == before_.read && output.token_count + before_.token_count <= kMaxTokens;
+  if (!same || !output.stale_bodies.empty()) return false;
+  if (kept_.is_changed_outside) {
+    if (!FitsOutside(output)) return false;
+  } else if (!std::ranges::equal(output.bodies, expected_, {}, &FunctionBody::inside)) {
+    return false;
   }
   const BodiesByPlace by_place(output.bodies);
   bool fits = by_place.AreApart();
   const auto check = [&](source::Offset place) {
     const std::optional<uint32_t> at = by_place.At(place);
-    if (place == 0 || (at && is_elided_[*at])) fits = false;
+    if (place == 0 || (at && output.bodies[*at].was_taken_over)) fits = false;
   };
   for (const Finding& finding : output.findings.all()) check(finding.range.begin);
   if (output.open_names.empty()) return fits;
   if (JoinsNames(sources, texts)) return false;
   ForEachMention(sources, texts, output.open_names, [&](source::Offset place) {
     const std::optional<uint32_t> at = by_place.At(place);
-    if (!at || is_elided_[*at]) fits = false;
+    if (!at || output.bodies[*at].was_taken_over) fits = false;
   });
   return fits;
 }

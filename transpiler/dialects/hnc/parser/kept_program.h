@@ -2,7 +2,8 @@
 // read.
 //
 // In: the texts of both runs. Out: texts without the bodies that are as they were, and after the run whether the
-// program was the one that it was taken for. Whatever differs outside of bodies is read again with all of the program.
+// program was the one that it was taken for. Where the change is in one body, all else has to be as it was; where it is
+// outside of them, the environment of each body that is taken over (kept_bodies.h).
 #pragma once
 
 #include <map>
@@ -45,7 +46,8 @@ std::string SettingsOf(const dialects::Request& request);
 /// One run that takes bodies over.
 class Reuse {
  public:
-  explicit Reuse(KeptProgram& before);
+  /// `stale`: bodies of the program before that are not to be taken over.
+  Reuse(KeptProgram& before, const std::vector<uint32_t>& stale);
   Reuse(const Reuse&) = delete;
   Reuse& operator=(const Reuse&) = delete;
 
@@ -54,6 +56,7 @@ class Reuse {
   Unit TakeSpare() { return std::move(before_.spare); }
   void Misfit() { fits_ = false; }
   bool fits() const { return fits_; }
+  size_t elided_count() const { return kept_.elided.size(); }
   /// Without the bodies that are as before; none: the file is another one.
   std::optional<SourceText> TextOf(const source::SourceManager& sources, source::FileId file);
   /// After the run: it was the program before but for the bodies that were read again.
@@ -61,10 +64,18 @@ class Reuse {
             const ParserOutput& output) const;
 
  private:
+  struct Change;
+
+  /// The bodies of the program before in a file, by place.
+  std::vector<uint32_t> BodiesIn(const KeptProgram::File& file) const;
+  /// Where the body is now; none: the change has a part of it.
+  static std::optional<source::Range> NowAt(source::Range inside, const Change& change);
+  bool FitsOutside(const ParserOutput& output) const;
+
   KeptProgram& before_;
   KeptBodies kept_;
-  std::vector<source::Range> expected_;  // by body of the program before: where it is now
-  std::vector<bool> is_elided_;          // likewise
+  std::vector<bool> is_stale_;           // by body of the program before
+  std::vector<source::Range> expected_;  // likewise: where it is now
   bool fits_ = true;
 };
 

@@ -62,6 +62,9 @@ struct ParserOutput {
   std::vector<source::Offset> builtin_uses;  // places of uses of __LINE__ and its like
   size_t token_count = 0;                    // with those of macros' arguments
   bool can_keep = true;                      // false: something in the program forbids to take over any of its bodies
+  /// Indices into KeptBodies::bodies of those whose words have come to mean something else; where there are some, the
+  /// rest is worth nothing.
+  std::vector<uint32_t> stale_bodies;
   bool kept_fits = true;  // false: the program is not the one of ParserInput::kept; the rest is worth nothing
   std::string bitcode;    // likewise; empty: the program has errors
   std::string compiler;   // that made it

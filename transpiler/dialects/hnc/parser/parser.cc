@@ -53,7 +53,16 @@ class Run {
 
   /// Takes over what is the same in the program before; none: it is not the same program.
   std::optional<Parsed> ParseChanged(KeptProgram& before) {
-    Reuse reuse(before);
+    std::vector<uint32_t> stale;
+    std::optional<Parsed> parsed = ParseChanged(before, stale);
+    if (!parsed && !stale.empty()) parsed = ParseChanged(before, stale);
+    return parsed;
+  }
+
+ private:
+  /// `stale`: bodies that are to be read again; where there are more of them, these come out.
+  std::optional<Parsed> ParseChanged(KeptProgram& before, std::vector<uint32_t>& stale) {
+    Reuse reuse(before, stale);
     Parsed parsed;
     parsed.files = std::make_unique<ProgramFiles>(request_, settings_, loaded_, &reuse);
     std::string reason;
@@ -63,11 +72,15 @@ class Run {
     input.kept = &reuse.bodies();
     parsed.output.unit = reuse.TakeSpare();
     parse(input, ParseUntil::kTree, parsed.output);
-    if (!reuse.Fits(*request_.sources, parsed.files->texts(), parsed.output)) return std::nullopt;
+    if (!reuse.Fits(*request_.sources, parsed.files->texts(), parsed.output)) {
+      // Nearly all of it twice is dearer than all of it once.
+      const std::vector<uint32_t>& more = parsed.output.stale_bodies;
+      stale = more.size() * 2 > reuse.elided_count() ? std::vector<uint32_t>() : more;
+      return std::nullopt;
+    }
     return parsed;
   }
 
- private:
   ParserInput InputOf(ProgramFiles& files) const {
     ParserInput input;
     input.main_path = files.main_name();

@@ -53,20 +53,46 @@ void FileNames::Add(const clang::NamedDecl* declaration) {
   }
 }
 
-void BodyKeeper::CollectNames() {
-  if (!session_.input.keeps_bodies) return;
+bool BodyKeeper::CollectNames() {
+  if (!session_.input.keeps_bodies) return true;
   for (const clang::Decl* declaration : context_.getTranslationUnitDecl()->decls()) {
     if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(declaration)) now_.recorder.names.Add(named);
   }
-  if (session_.input.kept == nullptr) return;
+  environment_.Collect();
+  if (session_.input.kept == nullptr) return true;
+  if (session_.input.kept->is_changed_outside) FindStaleBodies();
+  if (!session_.output.stale_bodies.empty()) return false;
   known_types_.resize(Before().types.size());
   known_functions_.resize(Before().functions.size());
   known_variables_.resize(Before().variables.size());
+  return true;
+}
+
+uint32_t BodyKeeper::ElidedOf(const clang::FunctionDecl* function) const {
+  const auto* block = llvm::dyn_cast_or_null<clang::CompoundStmt>(function->getBody());
+  if (block == nullptr || !block->getLBracLoc().isFileID()) return Session::kNotElided;
+  return session_.ElidedAt(session_.places.Of(block->getLBracLoc()));
+}
+
+void BodyKeeper::FindStaleBodies() {
+  const KeptBodies& kept = *session_.input.kept;
+  for (const clang::Decl* declaration : context_.getTranslationUnitDecl()->decls()) {
+    const auto* function = llvm::dyn_cast<clang::FunctionDecl>(declaration);
+    if (function == nullptr || !function->doesThisDeclarationHaveABody()) continue;
+    const uint32_t elided = ElidedOf(function);
+    if (elided == Session::kNotElided) continue;
+    const uint32_t index = kept.elided[elided].body;
+    const FunctionBody& body = (*kept.bodies)[index];
+    const bool is_fresh = body.environment != 0 && environment_.Of(function, *body.words) == body.environment;
+    if (!is_fresh) session_.output.stale_bodies.push_back(index);
+  }
 }
 
 StatementId BodyKeeper::BodyOf(const clang::FunctionDecl* function) {
   const auto* block = llvm::dyn_cast_or_null<clang::CompoundStmt>(function->getBody());
-  if (!session_.input.keeps_bodies || block == nullptr) {
+  // Defined twice, it has the parameters of one of its bodies.
+  const bool is_repeated = unit_.functions[now_.function].body.valid();
+  if (!session_.input.keeps_bodies || block == nullptr || is_repeated) {
     session_.output.can_keep = false;
     return statements_.ConvertBody(function);
   }
@@ -98,6 +124,8 @@ StatementId BodyKeeper::Record(const clang::FunctionDecl* function, FunctionBody
   const StatementId root = statements_.ConvertBody(function);
   body.needs = now_.recorder.End();
   const auto after = sizes();
+  body.words = environment_.WordsOf(llvm::cast<clang::CompoundStmt>(function->getBody()));
+  if (is_plain && body.words != nullptr) body.environment = environment_.Of(function, *body.words);
   body.expressions = {before[0], after[0] - before[0]};
   body.statements = {before[1], after[1] - before[1]};
   body.labels = {before[2], after[2] - before[2]};

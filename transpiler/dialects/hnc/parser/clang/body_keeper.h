@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "transpiler/dialects/hnc/parser/clang/environment.h"
 #include "transpiler/dialects/hnc/parser/clang/node_converter.h"
 #include "transpiler/dialects/hnc/parser/clang/type_converter.h"
 
@@ -18,18 +19,22 @@ class BodyKeeper : private NodeConverter {
   BodyKeeper(Conversion& conversion, TypeConverter& types, VariableConverter& variables, FunctionConverter& functions,
              StatementConverter& statements)
       : NodeConverter(conversion),
+        environment_(conversion),
         types_(types),
         variables_(variables),
         functions_(functions),
         statements_(statements) {}
 
   StatementId BodyOf(const clang::FunctionDecl* function);
-  /// Where the names of the file level are all known.
-  void CollectNames();
+  /// Where the names of the file level are all known. False: bodies are stale, and there is nothing to convert.
+  bool CollectNames();
 
  private:
   StatementId Record(const clang::FunctionDecl* function, FunctionBody body, bool is_plain);
   StatementId TakeOver(const FunctionBody& body, uint32_t elided);
+  /// Index into KeptBodies::elided of the function's body; kNotElided: it is in the text.
+  uint32_t ElidedOf(const clang::FunctionDecl* function) const;
+  void FindStaleBodies();
   void Satisfy(const Need& need);
   void TakeExpressions(const FunctionBody& body, source::Offset distance, uint32_t first_use);
   void TakeStatements(const FunctionBody& body, source::Offset distance, uint32_t first_use);
@@ -45,6 +50,7 @@ class BodyKeeper : private NodeConverter {
   FunctionId FunctionOf(FunctionId before);
   VariableId VariableOf(VariableId before);
 
+  Environment environment_;
   TypeConverter& types_;
   VariableConverter& variables_;
   FunctionConverter& functions_;

@@ -90,7 +90,7 @@ void Converter::Run() {
   statements_.SetLoopBounds(CollectLoopBounds());
   unit_.char_is_signed = context_.getLangOpts().CharIsSigned != 0;
   CollectNames();
-  bodies_.CollectNames();
+  if (!bodies_.CollectNames()) return;
   for (const clang::Decl* declaration : context_.getTranslationUnitDecl()->decls()) Declare(declaration);
   if (!session_.stopped) calls_.CheckCalls();
   CheckEntries();
