@@ -17,6 +17,5 @@ if ! npm install --no-audit --no-fund --silent @modelcontextprotocol/sdk@1 >/dev
   exit 77
 fi
 cp "$here/official_client.mjs" .
-mkdir machine
-cp "$project"/samples/host50/ck6150/*.il "$project"/samples/host50/ck6150/power_on.yaml machine/
+cp -R "$project/samples/host50/ck6150" machine
 node official_client.mjs "$plcxx" "$directory/machine"
