@@ -1,6 +1,6 @@
 #!/bin/sh
 # An editor's own client with plcxx lsp. Exit code 77: the editor is not here.
-# usage: editor.sh neovim|emacs PLCXX PROJECT
+# usage: editor.sh neovim|emacs|kate PLCXX PROJECT
 set -eu
 editor=$1
 project=$3
@@ -20,4 +20,7 @@ case $editor in
   emacs)
     command -v emacs >/dev/null || { echo "skipped: there is no emacs here (dev/install editors)"; exit 77; }
     timeout 120 emacs --batch -q --load "$here/emacs.el" ;;
+  kate)
+    command -v kate >/dev/null || { echo "skipped: there is no kate here (dev/install editors)"; exit 77; }
+    PLCXX_PAGE="$project/docs/editors/kate.md" timeout 120 python3 -B "$here/kate.py" ;;
 esac
