@@ -1,6 +1,7 @@
-# Included by cpack when the files of a package are in place: says what they need. The tool's libraries are required. Those
-# of its modules (Clang, LLVM, Z3: hundreds of megabytes for one dialect, and for proofs) are recommended, as is a
-# compiler: package managers install them unless told otherwise, and the tool runs without.
+# Included by cpack when the files of a package are in place: says what they need. The tool's libraries are required, and
+# Z3, for proofs of every language (23 MB). Those of its other modules (Clang, LLVM: hundreds of megabytes for one
+# dialect) are recommended, as is a compiler: package managers install them unless told otherwise, and the tool runs
+# without.
 #
 # A .deb names packages, as dpkg-shlibdeps (package dpkg-dev) finds them; an RPM names libraries, for every distribution
 # has packages of its own.
@@ -8,6 +9,8 @@ cmake_policy(VERSION 3.25)
 
 file(GLOB_RECURSE TOOL ${CPACK_TEMPORARY_DIRECTORY}/*/bin/plcxx)
 file(GLOB_RECURSE MODULES ${CPACK_TEMPORARY_DIRECTORY}/*/lib/plcxx_*.so)
+set(REQUIRED_FILES ${TOOL} ${MODULES})
+list(FILTER REQUIRED_FILES INCLUDE REGEX "/bin/plcxx$|/plcxx_z3\\.so$")
 
 # Out: the packages with their versions, a list.
 function(plcxx_needed_packages OUT)
@@ -43,12 +46,12 @@ if(CPACK_GENERATOR STREQUAL "DEB")
   if(NOT PLCXX_SHLIBDEPS)
     message(FATAL_ERROR "dpkg-shlibdeps is not there, without which a .deb has no dependencies: install dpkg-dev")
   endif()
-  plcxx_needed_packages(DEPENDS ${TOOL})
+  plcxx_needed_packages(DEPENDS ${REQUIRED_FILES})
   list(JOIN DEPENDS ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
   set(RECOMMENDS)
   if(MODULES)
     plcxx_needed_packages(RECOMMENDS ${MODULES})
-    # What the tool depends on already, in whatever version.
+    # What is required already, in whatever version.
     list(TRANSFORM DEPENDS REPLACE " .*" "" OUTPUT_VARIABLE DEPENDED)
     foreach(PACKAGE ${RECOMMENDS})
       string(REGEX REPLACE " .*" "" NAME "${PACKAGE}")
@@ -64,7 +67,7 @@ if(CPACK_GENERATOR STREQUAL "DEB")
   list(JOIN RECOMMENDS ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
 elseif(CPACK_GENERATOR STREQUAL "RPM")
   find_program(PLCXX_OBJDUMP objdump REQUIRED)
-  plcxx_needed_libraries(REQUIRED_LIBRARIES ${TOOL})
+  plcxx_needed_libraries(REQUIRED_LIBRARIES ${REQUIRED_FILES})
   set(RECOMMENDS "Recommends: gcc-c++\n")
   if(MODULES)
     plcxx_needed_libraries(MODULE_LIBRARIES ${MODULES})
@@ -73,5 +76,8 @@ elseif(CPACK_GENERATOR STREQUAL "RPM")
       string(APPEND RECOMMENDS "Recommends: ${LIBRARY}\n")
     endforeach()
   endif()
+  # rpmbuild finds those of programs alone.
+  list(FILTER REQUIRED_LIBRARIES INCLUDE REGEX "^libz3")
+  list(JOIN REQUIRED_LIBRARIES ", " CPACK_RPM_PACKAGE_REQUIRES)
   set(CPACK_RPM_SPEC_MORE_DEFINE "${RECOMMENDS}")
 endif()

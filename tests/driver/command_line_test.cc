@@ -26,6 +26,26 @@ TEST(CommandLine, VersionAndHelp) {
   EXPECT_THAT(help.errors, IsEmpty());
 }
 
+/// "-" is standard output wherever something is written; where that shows the results it is no place for a second
+/// thing.
+TEST(CommandLine, StandardOutputIsNoFile) {
+  const Workplace work;
+  work.Write("a.plc", kGoodProgram);
+  work.Write("b.plc", "U4A0=/I0A0\n$\nU4A1=I0A1\n");
+  work.Write("a.yaml", "sources: [a.plc]\nsteps:\n- run: {ms: 20}\n");
+  work.Write("p.prop", "never U4A0\n");
+  for (const std::string arguments :
+       {"test a.yaml --junit -", "test a.yaml --vcd -", "sim a.plc --watch U4A0 --vcd -",
+        "verify a.plc --certificate -", "prove a.plc --property p.prop --junit -",
+        "prove a.plc --property p.prop --counterexamples -", "diff a.plc b.plc --counterexamples -",
+        "soak a.plc --for 1s -o -", "emit a.plc -o out --depfile -"}) {
+    const Ran ran = work.Run(arguments);
+    EXPECT_EQ(ran.code, 2) << arguments << "\n" << ran;
+    EXPECT_THAT(ran.errors, HasSubstr("'-': standard output shows the results")) << arguments;
+    EXPECT_FALSE(work.Has("-")) << arguments;
+  }
+}
+
 TEST(CommandLine, EverySubcommandTeaches) {
   const Workplace work;
   for (const std::string command :

@@ -120,6 +120,8 @@ int RunDiff(const DiffSettings& settings) {
   if (!time_ms || *time_ms == 0) {
     return UsageError("'" + settings.time + "' is no time; write for example 30s");
   }
+  const std::string scenario = settings.scenarios.empty() ? "" : PathIn(settings.scenarios, "found.yaml");
+  if (!CanBeWritten({scenario})) return kWrongUse;
   std::variant<review::diff::DiffRequests, std::string> resolved = review::diff::ResolveDiff(settings.words, *common);
   if (const auto* const why = std::get_if<std::string>(&resolved)) {
     return UsageError(*why);

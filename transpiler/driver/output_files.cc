@@ -356,6 +356,10 @@ std::optional<WriteFailure> CannotBeWritten(const std::string& path) {
 bool CanBeWritten(std::initializer_list<std::string> paths) {
   for (const std::string& path : paths) {
     if (path.empty()) continue;
+    if (path == "-" || path.starts_with("-/")) {
+      PrintUsageError("'-': standard output shows the results; name a file (./- is one called '-')");
+      return false;
+    }
     if (const auto failure = CannotBeWritten(path)) return CannotWrite(*failure), false;
   }
   return true;

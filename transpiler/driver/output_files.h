@@ -45,7 +45,8 @@ std::optional<WriteFailure> WriteWithFolders(const OutputRequest& request);
 /// What can be known before the work whose result it shall get: there is a folder in the way, no folder that may be
 /// written to, or what is no file. The folders above it may be missing.
 std::optional<WriteFailure> CannotBeWritten(const std::string& path);
-/// Of those that are named (the others are empty) the first such; false: told as a usage error.
+/// Of those that are named (the others are empty) the first such; false: told as a usage error. "-" is standard output
+/// everywhere, and here it has something else.
 bool CanBeWritten(std::initializer_list<std::string> paths);
 
 /// Tells that as a usage error; its exit code, for commands that end with it.
