@@ -1,6 +1,7 @@
 #include "transpiler/scenarios/control.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "transpiler/support/check.h"
@@ -16,6 +17,17 @@ ir::Place ByteOf(ir::SpaceId space, uint32_t offset) {
   place.space = space;
   place.offset = offset;
   return place;
+}
+
+/// How many bytes at the beginning of both are the same. A control hands over kilobytes in every period of which few
+/// change; `std::ranges::mismatch` goes byte by byte.
+size_t CountSame(std::span<const uint8_t> left, std::span<const uint8_t> right) {
+  constexpr size_t kBlock = 128;
+  const size_t size = std::min(left.size(), right.size());
+  size_t same = 0;
+  while (size - same >= kBlock && std::memcmp(left.data() + same, right.data() + same, kBlock) == 0) same += kBlock;
+  while (same < size && left[same] == right[same]) ++same;
+  return same;
 }
 
 /// What a value of the type can hold.
@@ -187,8 +199,7 @@ void ScenarioControl::Set(ir::SpaceId space, uint32_t offset, uint8_t value) {
 void ScenarioControl::SetAll(ir::SpaceId space, uint32_t offset, std::span<const uint8_t> values) {
   for (size_t i = 0; i < values.size(); ++i) {
     // What is there already needs no writing. An engine that does not show its memory is asked byte by byte.
-    const std::span<const uint8_t> there = engine_.MemoryFrom(space, offset + static_cast<uint32_t>(i));
-    i += static_cast<size_t>(std::ranges::mismatch(values.subspan(i), there).in1 - values.subspan(i).begin());
+    i += CountSame(values.subspan(i), engine_.MemoryFrom(space, offset + static_cast<uint32_t>(i)));
     if (i < values.size()) Set(space, offset + static_cast<uint32_t>(i), values[i]);
   }
 }
