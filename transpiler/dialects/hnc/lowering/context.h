@@ -70,7 +70,7 @@ struct Translation {
   Translation(const Unit& tree, const Objects& all, const Facts& known, const Settings& options,
               const source::SourceManager& files, diag::Engine& engine)
       : unit(tree), objects(all), facts(known), settings(options), sources(files), diagnostics(engine) {
-    program.insts.Reserve(tree.expressions.size());  // about as many
+    program.insts.Reserve(tree.expressions.size() * size_t{2});  // hardly more; what is not used costs nothing
     program.statements.Reserve(tree.statements.size());
   }
 
