@@ -10,7 +10,7 @@
 #include "transpiler/fleet/lane.h"
 #include "transpiler/scenarios/control.h"
 #include "transpiler/sim/clock.h"
-#include "transpiler/support/check.h"
+#include "transpiler/soak/wide_fleets.h"
 
 namespace plcxx::soak {
 namespace {
@@ -19,56 +19,6 @@ constexpr uint64_t kMostParts = 20'000;    // of each machine
 constexpr uint64_t kMostBefore = 400'000;  // parts up to the moment where a run begins
 constexpr size_t kMostPromises = 16;       // of a run
 constexpr size_t kMostNews = 4;            // of a step
-
-/// As many fleets as it takes, each as wide as the library, in lockstep.
-class Fleets : public sim::Engine {
- public:
-  explicit Fleets(const std::shared_ptr<const fleet::Library>& library) {
-    for (uint32_t lanes = 0; lanes < kWideMachines; lanes += library->lanes) {
-      fleets_.push_back(std::make_unique<fleet::Fleet>(library));
-    }
-  }
-  const std::vector<std::unique_ptr<fleet::Fleet>>& all() const { return fleets_; }
-  /// Only the first one runs: it does what all machines have in common.
-  void RunFirstAlone(bool alone) { running_ = alone ? 1 : fleets_.size(); }
-
-  std::string_view name() const override { return "fleets"; }
-  void PowerOn() override {
-    ForEach([](fleet::Fleet& fleet) { fleet.PowerOn(); });
-  }
-  void RunPeriod(uint32_t now_ms) override {
-    ForEach([=](fleet::Fleet& fleet) { fleet.Run(fleet::Piece::kPeriod, now_ms); });
-  }
-  void RunFastOnly(uint32_t now_ms) override {
-    ForEach([=](fleet::Fleet& fleet) { fleet.Run(fleet::Piece::kFastOnly, now_ms); });
-  }
-  void RunElapse(uint32_t now_ms) override {
-    ForEach([=](fleet::Fleet& fleet) { fleet.Run(fleet::Piece::kElapse, now_ms); });
-  }
-  void StoreRetentive() override {
-    ForEach([](fleet::Fleet& fleet) { fleet.StoreRetentive(); });
-  }
-  /// Counts of the scheduler, which are the same in every machine.
-  uint64_t Read(const ir::Place& place) override { return fleets_.front()->Read(0, place); }
-
-  void AnswerHostCalls(sim::HostAnswers) override { PLCXX_UNREACHABLE(); }
-  void Write(const ir::Place&, uint64_t) override { PLCXX_UNREACHABLE(); }
-  void Force(const ir::Place&, uint64_t) override { PLCXX_UNREACHABLE(); }
-  void Release(const ir::Place&) override { PLCXX_UNREACHABLE(); }
-  void SendText(std::string_view) override { PLCXX_UNREACHABLE(); }
-  void EnableStatement(ir::StatementId, bool) override { PLCXX_UNREACHABLE(); }
-  std::vector<sim::HostEvent> TakeEvents() override { return {}; }
-  std::vector<uint8_t> Snapshot() override { PLCXX_UNREACHABLE(); }
-
- private:
-  template <class Visit>
-  void ForEach(Visit&& visit) {
-    for (size_t i = 0; i < running_; ++i) visit(*fleets_[i]);
-  }
-
-  std::vector<std::unique_ptr<fleet::Fleet>> fleets_;
-  size_t running_ = 0;
-};
 
 /// What one machine did in a step, beside the time that all of them have in common.
 struct Done {
@@ -112,7 +62,7 @@ class WideMachines::Herd {
  public:
   explicit Herd(std::shared_ptr<const WideProgram> program)
       : program_(std::move(program)),
-        fleets_(program_->library),
+        fleets_(program_->library, kWideMachines),
         clock_(program_->noted.program, {&fleets_}),
         has_control_(scenarios::StubOf(program_->compilation) != nullptr || program_->plant != nullptr) {
     uint32_t first = 0;
@@ -193,7 +143,7 @@ class WideMachines::Herd {
       start.from = nullptr;
       PowerOn(first);
     }
-    for (const auto& fleet : fleets_.all()) fleet->BecomeAll(*fleets_.all().front(), 0);
+    fleets_.BecomeFirst();
     const scenarios::ScenarioControl::Saved saved = first.control.Save();
     for (const auto& machine : machines_) {
       if (machine.get() != &first) {
@@ -236,27 +186,23 @@ class WideMachines::Herd {
     for (uint32_t i = 0; i < plan.outputs().size(); ++i) {
       const WatchPlan::OutputByte& byte = plan.outputs()[i];
       for (uint8_t bit = 0; bit < 8; ++bit) {
-        if ((byte.mask >> bit & 1) != 0) unmoved_.push_back({i, byte.space, byte.offset, bit});
+        if ((byte.mask >> bit & 1) == 0) continue;
+        ir::Place place{.type = ir::Type::kBit, .space = byte.space};
+        place.offset = byte.offset;
+        place.bit = bit;
+        unmoved_.push_back({i, place});
       }
     }
   }
 
   void LookAtOutputs() {
     std::erase_if(unmoved_, [this](const OutputBit& output) {
-      uint64_t ones = 0, zeros = 0;
-      for (const auto& fleet : fleets_.all()) {
-        const std::span<const uint64_t> words = fleet->PlaneOf(output.space, output.offset, output.bit);
-        for (const uint64_t word : words) {
-          ones |= word;
-          zeros |= ~word;
-        }
-        if (words.empty()) (fleet->Bit(0, output.space, output.offset, output.bit) ? ones : zeros) |= 1;
-      }
-      const auto mask = static_cast<uint8_t>(1U << output.bit);
+      const WideFleets::Values values = fleets_.ValuesOf(output.place);
+      const auto mask = static_cast<uint8_t>(1U << output.place.bit);
       uint8_t& seen_ones = outputs_.ones[output.number];
       uint8_t& seen_zeros = outputs_.zeros[output.number];
-      if (ones != 0) seen_ones |= mask;
-      if (zeros != 0) seen_zeros |= mask;
+      if (values.one) seen_ones |= mask;
+      if (values.zero) seen_zeros |= mask;
       return (seen_ones & seen_zeros & mask) != 0;
     });
   }
@@ -264,14 +210,12 @@ class WideMachines::Herd {
   /// What was noted on the way to where it begins is no news.
   void FindOpen(const Known& known, const Beginning& start) {
     open_.clear();
-    const fleet::Fleet& fleet = *fleets_.all().front();
     const NotedProgram& noted = program_->noted;
     for (uint32_t i = 0; i < noted.marks.size(); ++i) {
       const Mark& mark = noted.marks[i];
       const bool is_known = mark.property ? known.causes.contains(known.plan.PropertyCause(*mark.property).key)
                                           : (known.given[mark.inst.index] & mark.given) != 0;
-      const ir::Place place = noted.PlaceOf(i);
-      const bool was_noted = start.from && fleet.Bit(0, place.space, place.offset, place.bit);
+      const bool was_noted = start.from && fleets_.IsSet(0, noted.PlaceOf(i));
       if (!is_known && !was_noted) open_.push_back(i);
     }
   }
@@ -358,45 +302,24 @@ class WideMachines::Herd {
     }
   }
 
-  /// The first machine that has noted it.
-  std::optional<size_t> FirstWith(const ir::Place& place) {
-    size_t first = 0;
-    for (const auto& fleet : fleets_.all()) {
-      const std::span<const uint64_t> words = fleet->PlaneOf(place.space, place.offset, place.bit);
-      // What is the same in every machine.
-      if (words.empty())
-        return fleet->Bit(0, place.space, place.offset, place.bit) ? std::optional(first) : std::nullopt;
-      for (size_t w = 0; w < words.size(); ++w) {
-        if (words[w] != 0) return first + 64 * w + static_cast<size_t>(std::countr_zero(words[w]));
-      }
-      first += fleet->lanes();
-    }
-    return std::nullopt;
-  }
-  bool HasNoted(size_t machine, const ir::Place& place) const {
-    const fleet::Fleet& first = *fleets_.all().front();
-    const fleet::Fleet& fleet = *fleets_.all()[machine / first.lanes()];
-    return fleet.Bit(static_cast<unsigned>(machine % first.lanes()), place.space, place.offset, place.bit);
-  }
-
   /// Of the machines with something new as many as have all of it; what one has needs no other.
   void TakeNews(const Known& known, const Beginning& start, WideResult& result) {
     const NotedProgram& noted = program_->noted;
     size_t taken = 0;
     for (size_t i = 0; i < open_.size() && taken < kMostNews && result.promises.size() < kMostPromises;) {
-      const std::optional<size_t> machine = FirstWith(noted.PlaceOf(open_[i]));
+      const std::optional<size_t> machine = fleets_.FirstWith(noted.PlaceOf(open_[i]));
       if (!machine) {
         ++i;
         continue;
       }
       result.promises.push_back({start.from, StimuliOf(known, *machines_[*machine]), open_[i]});
       ++taken;
-      std::erase_if(open_, [&](uint32_t mark) { return HasNoted(*machine, noted.PlaceOf(mark)); });
+      std::erase_if(open_, [&](uint32_t mark) { return fleets_.IsSet(*machine, noted.PlaceOf(mark)); });
     }
   }
 
   std::shared_ptr<const WideProgram> program_;
-  Fleets fleets_;
+  WideFleets fleets_;
   sim::Clock clock_;
   bool has_control_;
   std::vector<std::unique_ptr<Machine>> machines_;
@@ -408,9 +331,7 @@ class WideMachines::Herd {
       writes_;  // looked up only
   struct OutputBit {
     uint32_t number;  // of its byte in WatchPlan::outputs
-    ir::SpaceId space;
-    uint32_t offset;
-    uint8_t bit;
+    ir::Place place;
   };
   std::vector<OutputBit> unmoved_;
   OutputLife outputs_;
