@@ -482,6 +482,7 @@ TEST(HncKept, WhatIsSaidOfNames) {
       {"void h(void)", "void more(void) { used[2] = 1; }\nvoid h(void)", 7},
       {"void g(void)", "#define R X\nvoid g(void)", 6},
       {"int used[4];", "", 6},
+      {"void g(void)", "I void g(void)", 6},
   };
   for (const Case& each : cases) {
     EditedProgram program({{"main.cld", Program(text)}});

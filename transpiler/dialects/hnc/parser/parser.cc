@@ -54,13 +54,14 @@ class Run {
   /// Takes over what is the same in the program before; none: it is not the same program.
   std::optional<Parsed> ParseChanged(KeptProgram& before) {
     std::vector<uint32_t> stale;
-    std::optional<Parsed> parsed = ParseChanged(before, stale);
-    if (!parsed && !stale.empty()) parsed = ParseChanged(before, stale);
-    return parsed;
+    for (size_t known = 0;; known = stale.size()) {
+      std::optional<Parsed> parsed = ParseChanged(before, stale);
+      if (parsed || stale.size() == known) return parsed;
+    }
   }
 
  private:
-  /// `stale`: bodies that are to be read again; where there are more of them, these come out.
+  /// `stale`: bodies that are to be read again; where there are more of them, these come out, too.
   std::optional<Parsed> ParseChanged(KeptProgram& before, std::vector<uint32_t>& stale) {
     Reuse reuse(before, stale);
     Parsed parsed;
@@ -75,7 +76,7 @@ class Run {
     if (!reuse.Fits(*request_.sources, parsed.files->texts(), parsed.output)) {
       // Nearly all of it twice is dearer than all of it once.
       const std::vector<uint32_t>& more = parsed.output.stale_bodies;
-      stale = more.size() * 2 > reuse.elided_count() ? std::vector<uint32_t>() : more;
+      if (more.size() * 2 <= reuse.elided_count()) stale.insert(stale.end(), more.begin(), more.end());
       return std::nullopt;
     }
     return parsed;

@@ -74,17 +74,20 @@ uint32_t BodyKeeper::ElidedOf(const clang::FunctionDecl* function) const {
   return session_.ElidedAt(session_.places.Of(block->getLBracLoc()));
 }
 
+/// What an error in front of it has come into is read again, too: the parser may have gone on in the middle of it.
 void BodyKeeper::FindStaleBodies() {
   const KeptBodies& kept = *session_.input.kept;
+  std::vector<bool> is_fresh(kept.elided.size());
   for (const clang::Decl* declaration : context_.getTranslationUnitDecl()->decls()) {
     const auto* function = llvm::dyn_cast<clang::FunctionDecl>(declaration);
     if (function == nullptr || !function->doesThisDeclarationHaveABody()) continue;
     const uint32_t elided = ElidedOf(function);
-    if (elided == Session::kNotElided) continue;
-    const uint32_t index = kept.elided[elided].body;
-    const FunctionBody& body = (*kept.bodies)[index];
-    const bool is_fresh = body.environment != 0 && environment_.Of(function, *body.words) == body.environment;
-    if (!is_fresh) session_.output.stale_bodies.push_back(index);
+    if (elided == Session::kNotElided || session_.unclean.contains(function)) continue;
+    const FunctionBody& body = (*kept.bodies)[kept.elided[elided].body];
+    is_fresh[elided] = body.environment != 0 && environment_.Of(function, *body.words) == body.environment;
+  }
+  for (size_t i = 0; i < kept.elided.size(); ++i) {
+    if (!is_fresh[i]) session_.output.stale_bodies.push_back(kept.elided[i].body);
   }
 }
 
