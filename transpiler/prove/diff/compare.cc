@@ -12,7 +12,9 @@ namespace plcxx::prove::diff {
 namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
-constexpr size_t kMostReached = 2000;                                  // pairs
+constexpr size_t kMostReached = 2000;  // pairs
+// Of the time, and no more than: for what proves all equal at once, when there is nothing else to be found out.
+constexpr uint64_t kFirstRoundShare = 12, kFirstRoundMs = 2000;
 constexpr uint64_t kRoundOfManyShare = 20, kInductionOfManyShare = 4;  // of the time
 
 /// By some host function.
@@ -303,6 +305,8 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
     if (comparison.refusal.empty()) MarkDifferent(comparison, Effort::kScenarios);
     return Finish(comparison, 0);
   };
+  const uint64_t later_round_ms = comparison.round_ms;
+  comparison.round_ms = std::max(comparison.round_ms, std::min(limits.total_ms / kFirstRoundShare, kFirstRoundMs));
   // With everything taken for equal: which functions differ by themselves.
   if (!CheckPowerOn(comparison)) return finish_early();
   const auto any_separated = [&] { return !SeparatedCells(comparison).empty(); };
@@ -324,6 +328,7 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
     SetVerdicts(comparison);
     return Finish(comparison, constants);
   }
+  comparison.round_ms = later_round_ms;
   // Of a change that reaches very much only its reach is found out, not what is masked inside.
   std::vector<execute::CellId> reach;
   if (at_power_on) {
@@ -400,6 +405,7 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
   comparison.round_ms = limits.total_ms / 4;
   const uint32_t undecided = comparison.UndecidedCount();
   MarkDifferent(comparison, Effort::kThorough);
+  if (is_tried()) try_relations();
   const auto lacks_invariants = [&] {
     return !comparison.old_finder || !comparison.old_finder->is_done() || !comparison.new_finder->is_done();
   };

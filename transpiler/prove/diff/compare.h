@@ -98,6 +98,10 @@ struct SimulatedRuns {
   /// Calls `visit` with states that find_different has come by, after a period or a fast part.
   std::function<void(Which which, const std::function<void(const invariants::CellValues&, uint64_t now_ms)>& visit)>
       for_each_seen_state;
+  /// The same with both versions as they were at one time.
+  std::function<void(const std::function<void(const invariants::CellValues& of_old,
+                                              const invariants::CellValues& of_new, uint64_t now_ms)>& visit)>
+      for_each_seen_pair;
 };
 
 CompareResult CompareVersions(const machine::Version& old_version, const machine::Version& new_version,

@@ -69,19 +69,19 @@ bool JointRun::Prepare() {
     if (!comparison_.IsInput(result.old_cell) || !comparison_.pairing.IsEqual(result.old_cell)) continue;
     if (const std::optional<VariablePart> part = PartOf(Which::kOld, result.old_cell)) inputs_.push_back(*part);
   }
-  std::vector<VariablePart> memory;
-  for (const Which which : {Which::kOld, Which::kNew}) {
+  for (const Which which : {Which::kNew, Which::kOld}) {
     const machine::Version& version = comparison_.pairing.version(which);
     for (uint32_t i = 0; i < version.cells.count; ++i) {
-      if (!machine::IsState(version, execute::CellId(i))) continue;
-      if (const std::optional<VariablePart> part = PartOf(which, execute::CellId(i))) memory.push_back(*part);
+      const execute::CellId cell(i);
+      if (!machine::IsState(version, cell)) continue;
+      if (const std::optional<VariablePart> part = PartOf(which, cell)) memory_.push_back({which, cell, *part});
     }
   }
   values_.resize(terms_.size());
   variables_.resize(terms_.variable_count());
   is_answer_.assign(terms_.variable_count(), true);
   is_answer_[terms_[comparison_.now].a] = false;
-  for (const VariablePart& part : memory) is_answer_[part.variable] = false;
+  for (const Memory& memory : memory_) is_answer_[memory.part.variable] = false;
   return true;
 }
 
@@ -89,6 +89,13 @@ void JointRun::PowerOn() {
   std::ranges::fill(variables_, 0);
   now_ms = 0;
   Execute(init_);
+}
+
+void JointRun::Take(const invariants::CellValues& of_old, const invariants::CellValues& of_new, uint64_t seen_ms) {
+  std::ranges::fill(variables_, 0);
+  now_ms = seen_ms;
+  for (const Memory& memory : memory_)
+    Put(variables_, memory.part, (memory.which == Which::kOld ? of_old : of_new)(memory.cell));
 }
 
 void JointRun::Execute(size_t part) { Execute(parts_[part]); }

@@ -28,6 +28,8 @@ class JointRun {
   bool Prepare();
 
   void PowerOn();
+  /// Goes on from a state that both were seen in.
+  void Take(const invariants::CellValues& of_old, const invariants::CellValues& of_new, uint64_t seen_ms);
   /// The part of that number of PartsOf(), the period last.
   void Execute(size_t part);
   void SetInput(size_t input, uint64_t value);
@@ -56,9 +58,16 @@ class JointRun {
 
   Comparison& comparison_;
   terms::Terms& terms_;
+  struct Memory {
+    Which which;
+    execute::CellId cell;
+    VariablePart part;
+  };
+
   Step init_;
   std::vector<Step> parts_;
   std::vector<VariablePart> inputs_;
+  std::vector<Memory> memory_;       // of both versions; of an equal pair that of the old one comes last
   std::vector<uint64_t> variables_;  // by variable
   std::vector<bool> is_answer_;      // by variable: of the host, or it is not known
   std::vector<uint64_t> values_;     // by term

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kRuns = 24, kPeriods = 400;
 constexpr size_t kMostEvaluated = 40'000'000;             // terms, in all runs
+constexpr size_t kPeriodsFromSeen = 40;                   // of a state that runs have come by
 constexpr size_t kMostStates = 4000;                      // that are kept, of those that differ
 constexpr size_t kMostNumbers = 80;                       // of one version
 constexpr size_t kMostAmong = 16;                         // values of two numbers that belong together
@@ -121,7 +122,8 @@ class Observed {
  private:
   void AddNumbers();
   void AddState();
-  void RunOnce(terms::Random& random, uint64_t one_in, size_t periods);
+  /// From where it is.
+  void RunOn(terms::Random& random, uint64_t one_in, size_t periods);
 
   static bool Holds(const std::vector<uint32_t>& states, const Seen& a, const Seen& b, uint64_t factor,
                     uint64_t constant);
@@ -173,8 +175,7 @@ void Observed::AddState() {
     for (Seen& seen : *side) seen.values.pop_back();
 }
 
-void Observed::RunOnce(terms::Random& random, uint64_t one_in, size_t periods) {
-  run_.PowerOn();
+void Observed::RunOn(terms::Random& random, uint64_t one_in, size_t periods) {
   AddState();
   const ir::Schedule& schedule = comparison_.old_version.program->schedule;
   const bool is_timed = machine::HasTimedFastPart(comparison_.old_version);
@@ -202,7 +203,22 @@ bool Observed::Run() {
   if (old_.empty() || new_.empty()) return false;
   terms::Random random(0x2545F4914F6CDD1D);
   const size_t periods = std::min<size_t>(kPeriods, kMostEvaluated / kRuns / std::max<size_t>(1, run_.size()));
-  for (int run = 0; run < kRuns; ++run) RunOnce(random, uint64_t{2} << (run % 6), periods);
+  for (int run = 0; run < kRuns; ++run) {
+    run_.PowerOn();
+    RunOn(random, uint64_t{2} << (run % 6), periods);
+  }
+  // What begins after seconds only random inputs do not come to.
+  const size_t most_periods = kMostEvaluated / std::max<size_t>(1, run_.size());
+  size_t from_seen = 0;
+  if (comparison_.runs.for_each_seen_pair) {
+    comparison_.runs.for_each_seen_pair(
+        [&](const invariants::CellValues& of_old, const invariants::CellValues& of_new, uint64_t now_ms) {
+          if (from_seen + kPeriodsFromSeen > most_periods || comparison_.Late()) return;
+          from_seen += kPeriodsFromSeen;
+          run_.Take(of_old, of_new, now_ms);
+          RunOn(random, 8, kPeriodsFromSeen);
+        });
+  }
   for (std::vector<Seen>* const side : {&old_, &new_}) {
     for (Seen& seen : *side) {
       for (const uint64_t value : seen.values) {

@@ -16,11 +16,10 @@ std::string ArgumentText(const ir::Parameter& parameter, uint64_t value) {
   return sim::IsFloat(parameter.type) ? sim::ValueDigits(parameter.type, value) : std::to_string(value);
 }
 
-std::string CallText(const ir::HostFunction& function, const sim::HostEvent& event) {
+std::string CallText(const ir::HostFunction& function, const sim::HostEvent& event, StatementNumbers numbers) {
   std::string arguments;
   for (size_t i = 0; i < event.arguments.size() && i < function.parameters.size(); ++i) {
-    // The number of a statement is another one in another version.
-    if (function.parameters[i].is_statement) continue;
+    if (function.parameters[i].is_statement && numbers == StatementNumbers::kLeftOut) continue;
     arguments += (arguments.empty() ? "" : ", ") + function.parameters[i].name + ": " +
                  ArgumentText(function.parameters[i], event.arguments[i]);
   }
@@ -45,7 +44,7 @@ std::vector<const sim::HostEvent*> CallsOf(const ir::Program& program, const std
 }  // namespace
 
 std::optional<std::string> ExpectedCalls(const ir::Program& program, const std::vector<sim::HostEvent>& events,
-                                         const std::string& function) {
+                                         const std::string& function, StatementNumbers numbers) {
   const auto called = std::ranges::find(program.host_functions, function, &ir::HostFunction::name);
   const bool of_all = function.empty();
   if (!of_all && (called == program.host_functions.end() || called->routine_exchange)) return std::nullopt;
@@ -60,7 +59,7 @@ std::optional<std::string> ExpectedCalls(const ir::Program& program, const std::
     const ir::HostFunction& of = program.host_functions[event.function];
     if (event.exchange || of.routine_exchange || (of.polled && !of_all && of.name != function)) continue;
     if (++count > kMostCalls) return std::nullopt;
-    list += (list.empty() ? "" : ", ") + CallText(of, event);
+    list += (list.empty() ? "" : ", ") + CallText(of, event, numbers);
   }
   return "[" + list + "]";
 }

@@ -1,6 +1,7 @@
 // Host calls of a run, as a scenario expects them, and the first one in which two versions differ.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,11 +11,14 @@
 
 namespace plcxx::review::diff {
 
+/// The number that a fault has from its statement's text: no reader knows it by heart.
+enum class StatementNumbers : uint8_t { kLeftOut, kNamed };
+
 /// The list of an `expect_calls` step that a run with these events passes: calls of the regular exchange do not count,
 /// those of a polled function only when it is `function`, or `function` is empty: all. None when there are too many of
 /// them to be read.
 std::optional<std::string> ExpectedCalls(const ir::Program& program, const std::vector<sim::HostEvent>& events,
-                                         const std::string& function);
+                                         const std::string& function, StatementNumbers numbers);
 
 /// The first call of the function (empty: of any but the exchange's) in which two runs differ, in words: "fault(kind:
 /// PARAM_RANGE, index: 20)", "no call". Where the program calls it alike, the first one of the regular exchange.

@@ -350,6 +350,10 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
                                     .for_each_seen_state =
                                         [&search](prove::diff::Which which, const auto& visit) {
                                           if (search) search->ForEachSeenState(which, visit);
+                                        },
+                                    .for_each_seen_pair =
+                                        [&search](const auto& visit) {
+                                          if (search) search->ForEachSeenPair(visit);
                                         }},
                                    limits);
   Diff diff{.invariants = result.invariants, .changes_are_found = result.changes_are_found, .refusal = result.refusal};

@@ -144,7 +144,7 @@ void DiffMachine::Restore(const Saved& saved) {
   Look();
 }
 
-void DiffMachine::Look() {
+void DiffMachine::LookAtMemory() {
   picture_ = simulator_.Snapshot();
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
     const ir::SpaceId id(i);
@@ -152,6 +152,10 @@ void DiffMachine::Look() {
     const std::span<const uint8_t> bytes = simulator_.Memory(id);
     picture_.insert(picture_.end(), bytes.begin(), bytes.end());
   }
+}
+
+void DiffMachine::Look() {
+  LookAtMemory();
   events_ = simulator_.TakeEvents();
   for (const sim::HostEvent& event : events_) {
     const auto add = [](uint64_t& hash, uint64_t value) { hash = (hash ^ value) * 0x9E3779B97F4A7C15; };

@@ -30,6 +30,8 @@ class DiffMachine {
   bool Apply(const Stimulus& stimulus, execute::CellId prove::diff::SetCell::* cell);
   /// Takes a picture of all state.
   void Look();
+  /// The same without the calls: these are those of the next Look().
+  void LookAtMemory();
   /// The value of a cell in the picture; of calls a number that tells equal histories from others. What a picture does
   /// not show is 0.
   uint64_t Seen(execute::CellId cell) const;
@@ -38,7 +40,7 @@ class DiffMachine {
   /// Of memory as a scenario names it; none: it is something else, or not there.
   std::optional<uint64_t> ValueOfWord(const std::string& location) const;
   uint64_t time_ms() const { return clock_.time_ms(); }
-  /// The calls between the last two pictures.
+  /// The calls between the last two calls of Look().
   const std::vector<sim::HostEvent>& events() const { return events_; }
 
   /// The picture, and where it has a cell that is no calls: for who compares many.

@@ -299,7 +299,15 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
     example.new_value = call.new_text;
     // Scenarios do not list these.
     if (call.is_of_exchange) return std::nullopt;
-    const std::optional<std::string> calls = ExpectedCalls(old_program, old_events, function);
+    const auto expected = [&function](const ir::Program& program, const std::vector<sim::HostEvent>& events,
+                                      StatementNumbers numbers) {
+      return ExpectedCalls(program, events, function, numbers);
+    };
+    // Where the same faults come from other statements, their numbers are what differs.
+    const bool is_told = expected(old_program, old_events, StatementNumbers::kLeftOut) !=
+                         expected(new_program, new_events, StatementNumbers::kLeftOut);
+    const std::optional<std::string> calls =
+        expected(old_program, old_events, is_told ? StatementNumbers::kLeftOut : StatementNumbers::kNamed);
     if (!calls) return std::nullopt;
     return "expect_calls: " + *calls;
   }
@@ -320,7 +328,7 @@ std::vector<prove::diff::SetCell> WholeWords(const CounterexampleRequest& reques
   std::vector<prove::diff::SetCell> whole = inputs;
   std::set<CellId> set;
   for (const prove::diff::SetCell& input : inputs) set.insert(input.old_cell);
-  machine.Look();
+  machine.LookAtMemory();
   for (const prove::diff::SetCell& input : inputs) {
     for (const CellId cell : WordOfBoth(request, input.old_cell).cells) {
       if (!set.insert(cell).second) continue;

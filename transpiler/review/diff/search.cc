@@ -1,6 +1,7 @@
 #include "transpiler/review/diff/search.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <iterator>
 
@@ -16,10 +17,12 @@ using prove::diff::SetCell;
 constexpr size_t kMostSignatures = 4000;
 constexpr size_t kManyInputs = 100;  // of a program with so many a few others change nothing that is far away
 constexpr uint32_t kQuestionOfManyMs = 40;
-constexpr size_t kMostKeptInputs = 8'000'000;  // of all runs; what is seen after that differs, and is not shown
-constexpr int kAimedOfMany = 4;                // times the time that is spent otherwise
-constexpr uint32_t kAimedPasses = 4;           // whole slow passes that the solver looks ahead
-constexpr uint32_t kWatchedPeriods = 60;       // of a wait, one by one; the rest in larger pieces
+constexpr size_t kMostKeptInputs = 8'000'000;    // of all runs; what is seen after that differs, and is not shown
+constexpr int kAimedOfMany = 4;                  // times the time that is spent otherwise
+constexpr uint32_t kAimedPasses = 4;             // whole slow passes that the solver looks ahead
+constexpr uint64_t kMostShownPeriods = 100'000;  // of a run to a moment that is kept
+constexpr std::array<uint32_t, 3> kWaitsMs = {1500, 4000, 25'000};
+constexpr uint32_t kWatchedPeriods = 60;  // of a wait, one by one; the rest in larger pieces
 
 uint64_t Mixed(uint64_t hash, uint64_t value) {
   hash = (hash ^ value) * 0x9E3779B97F4A7C15;
@@ -106,11 +109,35 @@ void DirectedSearch::Compare(RandomRuns& result) {
   const auto run = static_cast<uint32_t>(result.runs.size());
   for (const Stimulus& stimulus : stimuli_) kept_inputs_ += stimulus.inputs.size();
   result.runs.push_back(kept_inputs_ < kMostKeptInputs ? stimuli_ : Stimuli());
+  kept_runs_.insert(run);
   for (const CellId cell : differ) {
     result.difference_of[cell] = {
         .run = run, .steps = static_cast<uint32_t>(result.runs.back().size()), .periods = periods_};
   }
   has_new_difference_ = true;
+}
+
+void DirectedSearch::KeepShown(RandomRuns& result) {
+  // By run the shortest part of it that shows something.
+  std::map<uint32_t, RandomRuns::Difference> shown;
+  for (const auto& [cell, difference] : result.difference_of) {
+    if (kept_runs_.contains(difference.run)) continue;
+    const auto [at, added] = shown.try_emplace(difference.run, difference);
+    if (!added && difference.steps < at->second.steps) at->second = difference;
+  }
+  for (const auto& [run, difference] : shown) {
+    if (Late() || difference.periods > kMostShownPeriods) continue;
+    kept_runs_.insert(run);
+    GoTo(*between_.front());
+    const Stimuli& stimuli = result.runs[run];
+    const bool is_done = std::all_of(stimuli.begin(), stimuli.begin() + difference.steps,
+                                     [this](const Stimulus& stimulus) { return Apply(stimulus); });
+    if (!is_done) continue;
+    stimuli_.assign(stimuli.begin(), stimuli.begin() + difference.steps);
+    periods_ = difference.periods;
+    Compare(result);
+    if (differs_now_) Keep(Kept::kDiffers);
+  }
 }
 
 uint64_t DirectedSearch::Signature() const {
@@ -305,9 +332,22 @@ void DirectedSearch::ForEachSeenState(
   }
 }
 
-DirectedSearch::Moment* DirectedSearch::NextToAsk(bool is_many) {
+void DirectedSearch::ForEachSeenPair(
+    const std::function<void(const prove::invariants::CellValues& of_old, const prove::invariants::CellValues& of_new,
+                             uint64_t now_ms)>& visit) {
+  for (const Moments* const kept : {&between_, &new_, &on_the_way_, &differing_}) {
+    for (const std::shared_ptr<Moment>& moment : *kept) {
+      old_machine_.Restore(moment->old_saved);
+      new_machine_.Restore(moment->new_saved);
+      visit([this](CellId cell) { return old_machine_.ValueOf(cell); },
+            [this](CellId cell) { return new_machine_.ValueOf(cell); }, old_machine_.time_ms());
+    }
+  }
+}
+
+DirectedSearch::Moment* DirectedSearch::NextToAsk() {
   // What differs leads to what is computed from it: the last moments are the farthest.
-  if (is_many && random_.OneIn(2)) {
+  if (random_.OneIn(2)) {
     const auto last = std::find_if(differing_.rbegin(), differing_.rend(), [](const auto& m) { return !m->is_asked; });
     if (last != differing_.rend()) return last->get();
   }
@@ -316,6 +356,22 @@ DirectedSearch::Moment* DirectedSearch::NextToAsk(bool is_many) {
     if (found != kept->end()) return found->get();
   }
   return nullptr;
+}
+
+DirectedSearch::Moment* DirectedSearch::NextToWait() {
+  for (const Moments* const kept : {&differing_, &on_the_way_, &new_, &between_}) {
+    const auto last = std::find_if(kept->rbegin(), kept->rend(), [](const auto& m) { return !m->is_waited; });
+    if (last != kept->rend()) return last->get();
+  }
+  return nullptr;
+}
+
+void DirectedSearch::Wait(Moment& moment, RandomRuns& result) {
+  moment.is_waited = true;
+  GoTo(moment);
+  for (const uint32_t ms : kWaitsMs) {
+    if (!Step({.inputs = {}, .words = {}, .ms = ms}, result)) return;
+  }
 }
 
 void DirectedSearch::Aim(Moment& moment, const std::vector<CellId>& sought, RandomRuns& result) {
@@ -440,6 +496,7 @@ void DirectedSearch::RunWide(const std::vector<CellId>& sought, Time end, Random
 
 void DirectedSearch::Run(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
   EndAt(end);
+  KeepShown(result);
   const auto is_open = [&](CellId cell) { return !result.difference_of.contains(cell); };
   using Clock = std::chrono::steady_clock;
   while (!Late()) {
@@ -449,9 +506,12 @@ void DirectedSearch::Run(const std::vector<CellId>& sought, Time end, RandomRuns
     if (open.empty()) return;
     const bool is_many = open.size() > kMostSought;
     const bool may_aim = is_many ? aimed_ <= kAimedOfMany * searched_ : aimed_ <= searched_;
-    if (Moment* const moment = may_aim ? NextToAsk(is_many) : nullptr) {
+    if (Moment* const moment = may_aim ? NextToAsk() : nullptr) {
       Aim(*moment, open, result);
       aimed_ += Clock::now() - begin;
+    } else if (Moment* const begun = waited_ <= searched_ ? NextToWait() : nullptr) {
+      Wait(*begun, result);
+      waited_ += Clock::now() - begin;
     } else {
       GoBack();
       for (uint64_t left = 1 + random_.Next() % 10; left > 0; --left) {

@@ -55,6 +55,9 @@ class DirectedSearch {
   /// The moments that are kept, as one version saw them.
   void ForEachSeenState(prove::diff::Which which,
                         const std::function<void(const prove::invariants::CellValues&, uint64_t now_ms)>& visit);
+  /// As both saw them.
+  void ForEachSeenPair(const std::function<void(const prove::invariants::CellValues& of_old,
+                                                const prove::invariants::CellValues& of_new, uint64_t now_ms)>& visit);
 
  private:
   /// Bits that are set together: an input, or a word of inputs.
@@ -72,6 +75,7 @@ class DirectedSearch {
     size_t scenario = 0, next_step = 0;  // of the known runs, of which it is the continuation
     bool is_asked = false;               // what has to be set there
     bool is_spread = false;              // each input near the change was changed there
+    bool is_waited = false;              // and what was begun there was given time
   };
   using Moments = std::vector<std::shared_ptr<Moment>>;
   /// A number that the program writes, where the picture of the old version has it.
@@ -123,6 +127,9 @@ class DirectedSearch {
   void Keep(Kept why);
   /// Goes back to a moment.
   void GoBack();
+  /// Keeps the moments at which others have shown a difference: waiting and counting from power-on come to some that
+  /// nothing here comes to.
+  void KeepShown(RandomRuns& result);
   /// One step, in pieces so that what differs for a moment only is seen. false: it is late, or a version is stuck.
   bool Step(const Stimulus& stimulus, RandomRuns& result);
   /// Compares the pictures; notes what was not seen to differ before.
@@ -135,7 +142,11 @@ class DirectedSearch {
   /// A part of all inputs gets other values.
   void DisturbMany(Stimulus& stimulus);
   /// The next moment of which the solver was not asked yet; null: there is none.
-  Moment* NextToAsk(bool is_many);
+  Moment* NextToAsk();
+  /// The next moment at which nobody waited yet, what was kept last first; null: there is none.
+  Moment* NextToWait();
+  /// Lets time pass there, as timers need it.
+  void Wait(Moment& moment, RandomRuns& result);
   /// Does what a run sets, by time, and compares after each period.
   void Repeat(const prove::diff::Run& run, uint32_t period_ms, RandomRuns& result);
   /// Asks the solver what has to be set at the moment, and does that.
@@ -195,12 +206,13 @@ class DirectedSearch {
   uint64_t periods_ = 0;
   size_t scenario_ = 0, next_step_ = 0;
   size_t most_moments_ = 0;
-  size_t followed_ = 0;     // computed runs
-  size_t kept_inputs_ = 0;  // of the runs that were kept
+  size_t followed_ = 0;           // computed runs
+  std::set<uint32_t> kept_runs_;  // of the result: its own, and those of which the moment is kept
+  size_t kept_inputs_ = 0;        // of the runs that were kept
   prove::machine::Uses old_uses_, new_uses_;
   uint32_t period_ms_ = 1;
-  uint32_t pass_periods_ = 1;                                 // of a whole slow pass
-  std::chrono::steady_clock::duration searched_{}, aimed_{};  // time that both ways took
+  uint32_t pass_periods_ = 1;                                            // of a whole slow pass
+  std::chrono::steady_clock::duration searched_{}, aimed_{}, waited_{};  // time that each way took
   bool has_new_difference_ = false;
   bool differs_now_ = false;            // by the last comparison
   std::vector<execute::CellId> cells_;  // what is looked at
