@@ -1,6 +1,7 @@
 #include "transpiler/prove/invariants/candidates.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "transpiler/ir/op.h"
 #include "transpiler/support/low_bits.h"
@@ -8,10 +9,12 @@
 namespace plcxx::prove::invariants {
 namespace {
 
-constexpr size_t kMostValues = 12;       // of a byte or field that is said to take few
-constexpr size_t kMostWhile = 3;         // of those, while a bit is set or not
+constexpr uint8_t kAlwaysZero = 1, kAlwaysOne = 8;  // of a bit with itself
+constexpr size_t kMostValues = 12;                  // of a byte or field that is said to take few
+constexpr size_t kMostWhile = 3;                    // of those, while a bit is set or not
 constexpr uint64_t kMostNumbered = 255;  // by which steps and states are counted; a time takes many more values
 constexpr size_t kMostLimits = 6;        // that a number is guessed to stay below
+constexpr size_t kMostLimitsWhile = 16;  // of one number
 constexpr size_t kMostConstants = 100;   // of a program that limits are guessed from
 
 }  // namespace
@@ -36,6 +39,10 @@ Candidates::Candidates(const machine::Version& version, std::span<const execute:
   }
   AddWords(version, interesting, is_state);
   seen_pairs_.assign(bits_.size() * bits_.size(), 0);
+  for (SeenNumber& number : numbers_) {
+    number.greatest_ones.assign(bits_.size(), 0);
+    number.greatest_zeros.assign(bits_.size(), 0);
+  }
 }
 
 void Candidates::AddWords(const machine::Version& version, const std::set<execute::CellId>& interesting,
@@ -65,6 +72,10 @@ void Candidates::AddState(const CellValues& state) {
   for (SeenNumber& number : numbers_) {
     const uint64_t value = NumberOf(number.cells, state);
     number.greatest = std::max(number.greatest, value);
+    for (size_t i = 0; i < bits_.size(); ++i) {
+      uint64_t& greatest = (ones[i] ? number.greatest_ones : number.greatest_zeros)[i];
+      greatest = std::max(greatest, value);
+    }
     auto seen = std::ranges::find(number.values, value, &SeenValue::value);
     if (seen == number.values.end()) {
       if (number.values.size() > kMostValues) continue;
@@ -90,7 +101,6 @@ void Candidates::AddConstantsOf(const ir::Program& program) {
 }
 
 void Candidates::AddBits(std::vector<Invariant>& guesses) const {
-  constexpr uint8_t kAlwaysZero = 1, kAlwaysOne = 8;  // of a bit with itself
   for (size_t i = 0; i < bits_.size(); ++i) {
     const uint8_t own = seen_pairs_[i * bits_.size() + i];
     if (own == kAlwaysZero || own == kAlwaysOne) {
@@ -122,6 +132,31 @@ void Candidates::AddLimits(const SeenNumber& number, std::vector<Invariant>& gue
     guesses.push_back({.cells = number.cells, .values = {limit}, .kind = Invariant::Kind::kAtMost});
 }
 
+void Candidates::AddLimitsWhile(const SeenNumber& number, std::vector<Invariant>& guesses) const {
+  size_t count = 0;
+  for (size_t bit = 0; bit < bits_.size(); ++bit) {
+    if (std::ranges::find(number.cells, bits_[bit]) != number.cells.end()) continue;
+    const uint8_t own = seen_pairs_[bit * bits_.size() + bit];
+    if (own != (kAlwaysZero | kAlwaysOne)) continue;
+    for (const bool is_set : {true, false}) {
+      const uint64_t greatest = (is_set ? number.greatest_ones : number.greatest_zeros)[bit];
+      // The bounds of small ones are among their values.
+      if (greatest >= number.greatest || greatest <= kMostWhile) continue;
+      std::optional<uint64_t> nearest;
+      for (const std::set<uint64_t>* const limits : {&limits_, &program_limits_}) {
+        const auto limit = limits->lower_bound(greatest);
+        if (limit != limits->end() && *limit < number.greatest) nearest = std::min(nearest.value_or(*limit), *limit);
+      }
+      if (!nearest || ++count > kMostLimitsWhile) continue;
+      guesses.push_back({.cells = number.cells,
+                         .values = {*nearest},
+                         .kind = Invariant::Kind::kAtMost,
+                         .while_bit = bits_[bit],
+                         .while_set = is_set});
+    }
+  }
+}
+
 void Candidates::AddWhile(const SeenNumber& number, std::vector<Invariant>& guesses) const {
   if (number.values.size() < 2) return;
   for (size_t bit = 0; bit < bits_.size(); ++bit) {
@@ -144,6 +179,7 @@ std::vector<Invariant> Candidates::Make() const {
   AddBits(guesses);
   for (const SeenNumber& number : numbers_) {
     AddLimits(number, guesses);
+    AddLimitsWhile(number, guesses);
     if (number.values.size() > kMostValues || number.greatest > kMostNumbered) continue;
     AddWhile(number, guesses);
     std::set<uint64_t> values;

@@ -42,6 +42,7 @@ class Candidates {
     uint8_t width = 8;
     std::vector<SeenValue> values;  // as they came; more than the most that are said: many
     uint64_t greatest = 0;
+    std::vector<uint64_t> greatest_ones, greatest_zeros;  // by bit of interest: while it is 1, and 0
   };
 
   static void AddNeighbours(std::set<uint64_t>& limits, uint64_t constant) {
@@ -51,6 +52,8 @@ class Candidates {
                 const std::function<bool(execute::CellId)>& is_state);
   void AddBits(std::vector<Invariant>& guesses) const;
   void AddLimits(const SeenNumber& number, std::vector<Invariant>& guesses) const;
+  /// What a number does not exceed while a bit is set, or is not: a time that ends a step.
+  void AddLimitsWhile(const SeenNumber& number, std::vector<Invariant>& guesses) const;
   /// What a number may be while a bit is set, or is not.
   void AddWhile(const SeenNumber& number, std::vector<Invariant>& guesses) const;
 
