@@ -147,6 +147,8 @@ class ControlStub {
   virtual ~ControlStub() = default;
   /// The same control at the same moment: a simulation that goes back to it goes on with this one.
   virtual std::unique_ptr<ControlStub> Clone() const = 0;
+  /// Whether it is at the same moment as another one of the same control: both go on alike. False: or it cannot tell.
+  virtual bool IsAtMomentOf(const ControlStub& /*other*/) const { return false; }
   /// Power fails: before the init of a power cycle, not before the first one. What the machine holds (inputs) stays.
   virtual void PowerOff() {}
   /// Right after init, at the first power-on, too. Host calls of init have come before.

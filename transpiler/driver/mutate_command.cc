@@ -156,7 +156,7 @@ void AddMutate(CLI::App& app, Run& run) {
   command->add_option("--most", settings->most, "Changes that are tried, spread evenly over the program; 0: all")
       ->type_name("N")
       ->default_str("0");
-  command->add_option("-j,--jobs", settings->jobs, "Changes that are tried at a time")
+  command->add_option("-j,--jobs", settings->jobs, "Processes at a time, each with a share of the changes")
       ->type_name("N")
       ->default_str("2")
       ->check(CLI::Range(1, 64));

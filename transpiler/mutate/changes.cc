@@ -58,8 +58,14 @@ class Finder {
   void Visit(ir::InstId id, ir::RegionId region, ir::StatementId statement) {
     const ir::Inst& inst = program_[id];
     if (IsExchange(inst)) return;
-    at_ = {
-        .kind = {}, .statement = statement, .inst = id, .use = 0, .region = {}, .becomes = {}, .range = {}, .text = {}};
+    at_ = {.kind = {},
+           .statement = statement,
+           .inst = id,
+           .use = 0,
+           .region = region,
+           .becomes = {},
+           .range = {},
+           .text = {}};
     ir::ForEachUse(program_, inst, [this, &inst](uint32_t value) {
       Use(inst, ir::ValueId(value));
       ++at_.use;
@@ -71,7 +77,6 @@ class Finder {
       Add(ChangeKind::kOperator, inst.range, std::string(change.text));
     }
     if (const std::optional<std::string> text = TextOfLeftOut(inst)) {
-      at_.region = region;
       Add(ChangeKind::kLeftOut, inst.range, *text);
     }
   }
@@ -206,6 +211,23 @@ uint64_t MaskOf(ir::Type type) {
   return ~uint64_t{0};
 }
 
+/// What is used instead of `value`.
+uint64_t NumberInstead(ChangeKind kind, const ir::Inst& value) {
+  switch (kind) {
+    case ChangeKind::kAlways1:
+      return 1;
+    case ChangeKind::kMore:
+      return (ir::ConstantValue(value) + 1) & MaskOf(value.type);
+    case ChangeKind::kLess:
+      return (ir::ConstantValue(value) - 1) & MaskOf(value.type);
+    case ChangeKind::kAlways0:
+    case ChangeKind::kOperator:
+    case ChangeKind::kLeftOut:
+      break;
+  }
+  return 0;
+}
+
 /// Puts a constant in the place of the value that is used there.
 void PutConstant(const Change& change, ir::Program& program) {
   constexpr unsigned kHalf = 32;
@@ -215,23 +237,7 @@ void PutConstant(const Change& change, ir::Program& program) {
     if (use++ == change.use) used = &word;
   });
   ir::Inst constant = program[ir::ValueId(*used)];
-  uint64_t number = 0;
-  switch (change.kind) {
-    case ChangeKind::kAlways0:
-      break;
-    case ChangeKind::kAlways1:
-      number = 1;
-      break;
-    case ChangeKind::kMore:
-      number = (ir::ConstantValue(constant) + 1) & MaskOf(constant.type);
-      break;
-    case ChangeKind::kLess:
-      number = (ir::ConstantValue(constant) - 1) & MaskOf(constant.type);
-      break;
-    case ChangeKind::kOperator:
-    case ChangeKind::kLeftOut:
-      return;
-  }
+  const uint64_t number = NumberInstead(change.kind, constant);
   constant = {.op = ir::OpKind::kConst, .type = constant.type, .range = constant.range};
   constant.a = static_cast<uint32_t>(number);
   constant.b = static_cast<uint32_t>(number >> kHalf);
@@ -287,6 +293,32 @@ void Apply(const Change& change, ir::Program& program) {
       PutConstant(change, program);
       break;
   }
+}
+
+sim::ChangedInst AsExecuted(const Change& change, const ir::Program& program) {
+  sim::ChangedInst executed{.id = change.inst, .region = change.region};
+  switch (change.kind) {
+    case ChangeKind::kOperator:
+      executed.how = sim::ChangedHow::kOperation;
+      executed.operation = change.becomes;
+      break;
+    case ChangeKind::kLeftOut:
+      executed.how = sim::ChangedHow::kLeftOut;
+      break;
+    case ChangeKind::kAlways0:
+    case ChangeKind::kAlways1:
+    case ChangeKind::kMore:
+    case ChangeKind::kLess: {
+      executed.how = sim::ChangedHow::kOperand;
+      executed.use = change.use;
+      uint32_t use = 0;
+      ir::ForEachUse(program, program[change.inst], [&](uint32_t value) {
+        if (use++ == change.use) executed.number = NumberInstead(change.kind, program[ir::ValueId(value)]);
+      });
+      break;
+    }
+  }
+  return executed;
 }
 
 }  // namespace plcxx::mutate

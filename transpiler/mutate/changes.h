@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "transpiler/ir/program.h"
+#include "transpiler/sim/changed_inst.h"
 #include "transpiler/source/source.h"
 
 namespace plcxx::mutate {
@@ -27,7 +28,7 @@ struct Change {
   ir::StatementId statement;
   ir::InstId inst;       // that is changed; of a value the instruction that uses it
   uint32_t use = 0;      // of a value: which of that instruction's uses, in the order of ir::ForEachUse
-  ir::RegionId region;   // kLeftOut: where it stands
+  ir::RegionId region;   // where it stands
   ir::OpKind becomes{};  // kOperator
   source::Range range;   // what the source says there; the statement where nothing is known
   std::string text;      // "I0A2 is always 0"
@@ -44,5 +45,8 @@ std::vector<Change> FindChanges(const ir::Program& program, const source::Source
 
 /// `program` is the one in which the change was found.
 void Apply(const Change& change, ir::Program& program);
+
+/// The same for a simulator of the program in which the change was found.
+sim::ChangedInst AsExecuted(const Change& change, const ir::Program& program);
 
 }  // namespace plcxx::mutate

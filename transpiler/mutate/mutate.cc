@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
+#include "transpiler/mutate/side_by_side.h"
 #include "transpiler/scenarios/separate_processes.h"
 #include "transpiler/scenarios/suite.h"
 
@@ -12,7 +14,11 @@ namespace {
 
 /// A change may make a loop run to its bound again and again: what executes so much more than before is noticed.
 constexpr uint64_t kMostGrowth = 50, kAlwaysAllowed = 10'000'000;
-constexpr size_t kChangesInAProcess = 32;
+/// Side by side; each may have a machine of its own. Whoever works on fewer has the original run more often.
+constexpr size_t kChangesInAProcess = 400;
+
+/// What a child tells of a change.
+constexpr std::string_view kPasses = "p", kNoticed = "n", kPassesAlone = "pa", kNoticedAlone = "na";
 
 /// A scenario before any change.
 struct Before {
@@ -47,7 +53,7 @@ class Mutation {
     mutated.found = changes.size();
     for (Change& change : Chosen(std::move(changes)))
       mutated.results.push_back({std::move(change), Outcome::kNotReached});
-    Try(mutated.results);
+    Try(mutated);
     return mutated;
   }
 
@@ -116,32 +122,80 @@ class Mutation {
     return scenarios;
   }
 
-  void Try(std::vector<ChangeResult>& results) {
-    std::vector<uint32_t> reached;
-    std::vector<std::vector<uint32_t>> scenarios_of(results.size());
+  void Try(Mutated& mutated) {
+    std::vector<ChangeResult>& results = mutated.results;
+    scenarios::ItemGroup reached;
+    scenarios_of_.resize(results.size());
     for (uint32_t i = 0; i < results.size(); ++i) {
-      scenarios_of[i] = Reaching(results[i].change);
-      if (!scenarios_of[i].empty()) reached.push_back(i);
+      scenarios_of_[i] = Reaching(results[i].change);
+      if (!scenarios_of_[i].empty()) reached.push_back(i);
     }
-    std::vector<scenarios::ItemGroup> groups;
-    for (size_t i = 0; i < reached.size(); ++i) {
-      if (i % kChangesInAProcess == 0) groups.emplace_back();
-      groups.back().push_back(reached[i]);
-    }
+    scenarios::SeparateOptions separate = Separate();
+    separate.common_seconds = request_.time_limit * static_cast<unsigned>(kChangesInAProcess);
     size_t done = 0;
     scenarios::WorkSeparately(
-        groups, Separate(),
-        [&](const scenarios::ItemGroup& items, scenarios::WorkReport& report) {
-          for (const uint32_t item : items) {
-            report.Begin(item);
-            report.Done(item, IsNoticed(results[item].change, scenarios_of[item]) ? "n" : "p");
-          }
-        },
+        GroupsOf(reached), separate,
+        [&](const scenarios::ItemGroup& items, scenarios::WorkReport& report) { Work(results, items, report); },
         [&](uint32_t item, const scenarios::ItemEnd& end) {
-          results[item].outcome = end.result == "p" ? Outcome::kNotNoticed : Outcome::kNoticed;
+          const std::string_view word = end.result ? std::string_view(*end.result) : kNoticedAlone;
+          results[item].outcome = word == kPasses || word == kPassesAlone ? Outcome::kNotNoticed : Outcome::kNoticed;
+          mutated.alone += word == kPassesAlone || word == kNoticedAlone ? 1 : 0;
           if (request_.progress) request_.progress(++done, reached.size());
         });
   }
+
+  /// Neighbours stay together: they are executed by the same scenarios.
+  std::vector<scenarios::ItemGroup> GroupsOf(const scenarios::ItemGroup& items) const {
+    const size_t needed = (items.size() + kChangesInAProcess - 1) / kChangesInAProcess;
+    const size_t count = std::max<size_t>(request_.jobs, needed);
+    std::vector<scenarios::ItemGroup> groups(count);
+    for (size_t i = 0; i < items.size(); ++i) groups[i * count / items.size()].push_back(items[i]);
+    return groups;
+  }
+
+  /// In a child. What ends one that works on several is found by those that work on one of them.
+  void Work(const std::vector<ChangeResult>& results, const scenarios::ItemGroup& items,
+            scenarios::WorkReport& report) const {
+    const bool together = request_.way == Way::kSideBySide && items.size() > 1;
+    for (const uint32_t item : together ? TrySideBySide(results, items, report) : items) {
+      report.Begin(item);
+      report.Done(item, IsNoticed(results[item].change, scenarios_of_[item]) ? kNoticedAlone : kPassesAlone);
+    }
+  }
+
+  /// Gives those that have to be tried alone; the others are reported.
+  scenarios::ItemGroup TrySideBySide(const std::vector<ChangeResult>& results, scenarios::ItemGroup items,
+                                     scenarios::WorkReport& report) const {
+    report.BeginCommon();
+    std::vector<uint32_t> shortest_first(before_.size());
+    std::iota(shortest_first.begin(), shortest_first.end(), 0U);
+    std::ranges::stable_sort(shortest_first, {}, [this](uint32_t i) { return before_[i].executed; });
+    scenarios::ItemGroup alone;
+    for (const uint32_t scenario : shortest_first) {
+      scenarios::ItemGroup reaching;
+      std::vector<sim::ChangedInst> changes;
+      for (const uint32_t item : items) {
+        if (!before_[scenario].reached[results[item].change.inst.index]) continue;
+        reaching.push_back(item);
+        changes.push_back(AsExecuted(results[item].change, original_));
+      }
+      if (reaching.empty()) continue;
+      const std::vector<Ending> endings =
+          RunSideBySide({.compilation = request_.compilation,
+                         .scenario = request_.scenarios[scenario],
+                         .changes = changes,
+                         .most = MostOf(scenario),
+                         .failed = [&](uint32_t change) { report.Done(reaching[change], kNoticed); }});
+      for (size_t i = 0; i < endings.size(); ++i) {
+        if (endings[i] != Ending::kPasses) std::erase(items, reaching[i]);
+        if (endings[i] == Ending::kUnclear) alone.push_back(reaching[i]);
+      }
+    }
+    for (const uint32_t item : items) report.Done(item, kPasses);
+    return alone;
+  }
+
+  uint64_t MostOf(uint32_t scenario) const { return kAlwaysAllowed + kMostGrowth * before_[scenario].executed; }
 
   /// In a child: the program stays changed until the next change begins anew.
   bool IsNoticed(const Change& change, const std::vector<uint32_t>& scenarios) const {
@@ -150,14 +204,15 @@ class Mutation {
     Apply(change, program);
     return std::ranges::any_of(scenarios, [&](uint32_t scenario) {
       scenarios::Observation seen;
-      seen.most = kAlwaysAllowed + kMostGrowth * before_[scenario].executed;
+      seen.most = MostOf(scenario);
       return !RunScenario(scenario, seen).empty() || seen.stopped;
     });
   }
 
   const MutateRequest& request_;
   const ir::Program original_;
-  std::vector<Before> before_;  // by scenario
+  std::vector<Before> before_;                       // by scenario
+  std::vector<std::vector<uint32_t>> scenarios_of_;  // by result: those that execute its place
 };
 
 }  // namespace

@@ -23,13 +23,18 @@ enum class Outcome : uint8_t { kNoticed, kNotNoticed, kNotReached };
 /// "noticed", for documents.
 std::string_view Name(Outcome outcome);
 
+/// How changes are tried: together, as far as their time runs as that of the original, or each by itself. The result is
+/// the same.
+enum class Way : uint8_t { kSideBySide, kAlone };
+
 struct MutateRequest {
   compilation::Compilation& compilation;       // without errors; unchanged afterwards
   std::vector<scenarios::Scenario> scenarios;  // with steps
   size_t most = 0;                             // changes, spread evenly over all that there are; 0: all
   unsigned jobs = 1;                           // processes at a time
   unsigned time_limit = 60;                    // seconds of real time for a change, or for a scenario before any change
-  std::function<void(size_t done, size_t all)> progress;
+  std::function<void(size_t done, size_t all)> progress = {};
+  Way way = Way::kSideBySide;
 };
 
 struct ChangeResult {
@@ -39,6 +44,7 @@ struct ChangeResult {
 
 struct Mutated {
   size_t found = 0;                   // changes that there are
+  size_t alone = 0;                   // that were tried each by itself
   std::vector<ChangeResult> results;  // of those that were tried, in the order of the source
 };
 

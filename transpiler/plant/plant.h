@@ -60,6 +60,8 @@ class Plant {
   /// So much time passes; `reads` are the values of Model::reads() in it. Gives those of Model::drives() after it.
   std::span<const int64_t> Advance(uint64_t elapsed_ms, std::span<const int64_t> reads);
   std::span<const int64_t> drives() const { return drives_; }
+  /// Of the same model: both go on alike.
+  bool IsAtMomentOf(const Plant& other) const { return state_ == other.state_ && drives_ == other.drives_; }
 
  private:
   void Show();

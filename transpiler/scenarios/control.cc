@@ -55,6 +55,10 @@ std::string DeclaredText(const ir::Program& program, uint32_t number) {
 
 }  // namespace
 
+bool Names(const std::string& expected, const ShownMessage& message) {
+  return expected == std::to_string(message.number) || expected == TextOf(message) || expected == message.shown;
+}
+
 std::string TextOf(const ShownMessage& message) {
   return message.text.empty() ? "message " + std::to_string(message.number) : message.text;
 }
@@ -91,6 +95,33 @@ void ScenarioControl::PowerOn() {
   messages_.PowerOn();
   MovePlant(0);
   if (stub_) stub_->PowerOn(*this);
+}
+
+ScenarioControl::Moment ScenarioControl::Moment::Clone() const {
+  return {.control = {.stub = control.stub ? control.stub->Clone() : nullptr,
+                      .set_bits = control.set_bits,
+                      .plant = control.plant,
+                      .plant_ms = control.plant_ms},
+          .active = active,
+          .shown = shown};
+}
+
+void ScenarioControl::Exchange(Moment& other) {
+  std::swap(stub_, other.control.stub);
+  std::swap(set_bits_, other.control.set_bits);
+  std::swap(plant_, other.control.plant);
+  std::swap(plant_ms_, other.control.plant_ms);
+  std::vector<uint32_t> active = messages_.active();
+  messages_.Become(std::move(other.active));
+  other.active = std::move(active);
+  std::swap(shown_, other.shown);
+}
+
+bool ScenarioControl::IsAt(const Moment& other) const {
+  const Saved& control = other.control;
+  return (stub_ == nullptr || stub_->IsAtMomentOf(*control.stub)) && set_bits_ == control.set_bits &&
+         (!plant_ || plant_->IsAtMomentOf(*control.plant)) && plant_ms_ == control.plant_ms &&
+         messages_.active() == other.active && shown_ == other.shown;
 }
 
 void ScenarioControl::Attach(std::shared_ptr<const BoundPlant> plant) {

@@ -30,7 +30,10 @@ struct ShownMessage {
   uint32_t number = 0;
   std::string text;   // as the program declares it; empty: there is none
   std::string shown;  // as the operator reads it, with the numbers that the control writes into it
+  bool operator==(const ShownMessage&) const = default;
 };
+/// Whether a scenario means it by its number or one of its texts.
+bool Names(const std::string& expected, const ShownMessage& message);
 /// "message 9" when it has no text.
 std::string TextOf(const ShownMessage& message);
 
@@ -74,6 +77,19 @@ class ScenarioControl : private dialects::ImagePort {
     plant_ = saved.plant;
     plant_ms_ = saved.plant_ms;
   }
+
+  /// The control at a moment, the operator's eyes included.
+  struct Moment {
+    Saved control;
+    std::vector<uint32_t> active;
+    std::vector<ShownMessage> shown;
+    Moment Clone() const;
+  };
+  Moment Now() const { return {.control = Save(), .active = messages_.active(), .shown = shown_}; }
+  /// Goes where `other` is, which becomes what this one was; of one program and scenario.
+  void Exchange(Moment& other);
+  /// Whether both go on alike.
+  bool IsAt(const Moment& other) const;
 
   /// The scenario writes `value` into a location that is neither a text input nor absent.
   void Set(const dialects::Location& location, uint64_t value);

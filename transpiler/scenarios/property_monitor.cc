@@ -68,6 +68,13 @@ void PropertyMonitor::PowerOn() {
   values_.assign(terms_.variable_count(), 0);
 }
 
+void PropertyMonitor::Exchange(Moment& other) {
+  std::swap(values_, other.values);
+  std::swap(slow_done_, other.slow_done);
+  std::swap(fast_ran_alone_, other.fast_ran_alone);
+  violation_.reset();
+}
+
 void PropertyMonitor::BeginAt(sim::Engine& engine) {
   PowerOn();
   if (sliced_) slow_done_ = engine.Read(program_.places[program_.schedule.slow_done]);

@@ -26,6 +26,16 @@ class PropertyMonitor {
                   std::vector<prove::properties::Property> properties);
 
   void PowerOn();
+  /// What of the past decides what is said later.
+  struct Moment {
+    std::vector<uint64_t> values;
+    uint64_t slow_done = 0;
+    bool fast_ran_alone = false;
+    bool operator==(const Moment&) const = default;
+  };
+  Moment Now() const { return {.values = values_, .slow_done = slow_done_, .fast_ran_alone = fast_ran_alone_}; }
+  /// Goes where `other` is, which becomes what this one was, and has seen no violation.
+  void Exchange(Moment& other);
   /// It begins at a moment, of whose past nothing is known: a property is then looked at from there.
   void BeginAt(sim::Engine& engine);
   /// `part` has been executed.

@@ -24,10 +24,6 @@ std::string ListText(const std::vector<std::string>& words) {
   return "[" + text + "]";
 }
 
-bool Names(const std::string& expected, const ShownMessage& message) {
-  return expected == std::to_string(message.number) || expected == TextOf(message) || expected == message.shown;
-}
-
 class Runner {
  public:
   explicit Runner(ScenarioRun run)

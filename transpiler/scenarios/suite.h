@@ -15,6 +15,7 @@
 #include "transpiler/engines/platform.h"
 #include "transpiler/fleet/library.h"
 #include "transpiler/scenarios/program.h"
+#include "transpiler/scenarios/property_monitor.h"
 #include "transpiler/scenarios/scenario.h"
 #include "transpiler/scenarios/test_case.h"
 
@@ -68,6 +69,10 @@ std::variant<std::vector<std::string>, std::string> FindScenarios(const std::vec
 
 /// Whether the platform runs this scenario, one in `one_in`.
 bool RunsOn(uint32_t one_in, const Scenario& scenario);
+
+/// What watches the scenario's properties while its steps run; none: it has none.
+std::unique_ptr<PropertyMonitor> MonitorOf(const Scenario& scenario, const compilation::Compilation& compilation,
+                                           std::vector<ScenarioError>& errors);
 
 /// One scenario, read before, in this process and without a limit.
 ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program);

@@ -67,7 +67,7 @@ class Test {
       return End(TestOutcome::kUnusable, ToText(*errors));
     }
     std::vector<ScenarioError> errors;
-    PlanMonitor(compilation, errors);
+    monitor_ = MonitorOf(scenario_, compilation, errors);
     if (!errors.empty()) return End(TestOutcome::kUnusable, ToText(errors));
     Failure failure;
     try {
@@ -84,18 +84,6 @@ class Test {
     std::string text;
     for (const ScenarioError& error : errors) text += (text.empty() ? "" : "\n") + yaml::ToText(error);
     return text;
-  }
-
-  /// The scenario's properties are watched while its steps run.
-  void PlanMonitor(const compilation::Compilation& compilation, std::vector<ScenarioError>& errors) {
-    if (scenario_.properties.empty()) return;
-    const ir::Program& program = compilation.program;
-    const execute::Cells cells = execute::MakeCells(program);
-    const dialects::Dialect& dialect = *compilation.dialect;
-    monitor_ = std::make_unique<PropertyMonitor>(
-        program, cells,
-        WatchedProperties(scenario_, dialect.name, PropertyContextOf(dialect, program, cells, TimingOf(program)),
-                          errors));
   }
 
   ScenarioResult End(TestOutcome outcome, std::string text) {
@@ -245,6 +233,17 @@ class Test {
 };
 
 }  // namespace
+
+std::unique_ptr<PropertyMonitor> MonitorOf(const Scenario& scenario, const compilation::Compilation& compilation,
+                                           std::vector<ScenarioError>& errors) {
+  if (scenario.properties.empty()) return nullptr;
+  const ir::Program& program = compilation.program;
+  const execute::Cells cells = execute::MakeCells(program);
+  const dialects::Dialect& dialect = *compilation.dialect;
+  return std::make_unique<PropertyMonitor>(
+      program, cells,
+      WatchedProperties(scenario, dialect.name, PropertyContextOf(dialect, program, cells, TimingOf(program)), errors));
+}
 
 bool RunsOn(uint32_t one_in, const Scenario& scenario) {
   if (one_in == 1) return true;

@@ -21,13 +21,14 @@ void Clock::PowerOn() {
   time_ms_ = 0;
 }
 
+void Clock::PowerOff(const ir::Program& program, Engine& engine) {
+  if (!program.schedule.retention) return;
+  const ir::PlaceId asked = program.schedule.retain_at_power_off;
+  if (!asked.valid() || engine.Read(program.places[asked]) != 0) engine.StoreRetentive();
+}
+
 void Clock::PowerCycle() {
-  const ir::Schedule& schedule = program_.schedule;
-  for (Engine* engine : engines_) {
-    if (!schedule.retention) continue;
-    const ir::PlaceId asked = schedule.retain_at_power_off;
-    if (!asked.valid() || engine->Read(program_.places[asked]) != 0) engine->StoreRetentive();
-  }
+  for (Engine* engine : engines_) PowerOff(program_, *engine);
   PowerOn();
 }
 

@@ -46,6 +46,8 @@ class Clock {
   void PowerOn();
   /// The host stores the retentive memory where the program asks for it, then PowerOn.
   void PowerCycle();
+  /// The first half of PowerCycle, of one engine.
+  static void PowerOff(const ir::Program& program, Engine& engine);
   /// Whole periods until `count` slow cycles have been completed.
   Step RunSlow(uint32_t count);
   /// Every period whose time lies in [t, t + ms), or in (t, t + ms] when periods end their time; then t + ms. When that

@@ -49,6 +49,8 @@ class Instances {
   void Clear();
   /// Appends all fields of all instances, hidden ones included, least significant byte first.
   void AppendTo(std::vector<uint8_t>& bytes) const;
+  /// Whether all fields are the same; of one program.
+  bool IsAt(const Instances& other) const { return bytes_ == other.bytes_; }
   /// Of all structs; the place of a field counts from here.
   const unsigned char* bytes() const { return bytes_.data(); }
   /// Where a field stands, for FieldAt: the same as long as the program is.

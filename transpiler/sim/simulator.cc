@@ -8,7 +8,10 @@
 namespace plcxx::sim {
 
 Simulator::Simulator(const ir::Program& program)
-    : program_(program), instances_(program), values_(program.insts.size()), switched_off_(program.statements.size()) {
+    : program_(program),
+      instances_(program),
+      values_(program.insts.size() + 2),
+      switched_off_(program.statements.size()) {
   for (const ir::Place& place : program.places) places_.push_back(AccessTo(program, place));
   for (const ir::Space& space : program.spaces) spaces_.emplace_back(space.bytes);
   locals_ = FindLocalStretches(program, places_);
@@ -134,6 +137,25 @@ void Simulator::Restore(const Saved& saved) {
   stored_ = saved.stored;
   events_.clear();
   stopped_ = false;
+}
+
+void Simulator::Exchange(Saved& other) {
+  std::swap(spaces_, other.spaces);
+  std::swap(instances_, other.instances);
+  FindBases();
+  std::swap(stored_, other.stored);
+  events_.clear();
+  stopped_ = false;
+}
+
+bool Simulator::IsAt(const Saved& other) const {
+  for (uint32_t i = 0; i < spaces_.size(); ++i) {
+    const ir::Space& space = program_.spaces[ir::SpaceId(i)];
+    // What a routine has for itself begins anew with it.
+    if (space.lifetime == ir::Lifetime::kRoutine && !space.host_visible) continue;
+    if (spaces_[i].bytes() != other.spaces[i].bytes()) return false;
+  }
+  return instances_.IsAt(other.instances) && stored_ == other.stored;
 }
 
 Simulator::Noted Simulator::SaveNoted() const {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "transpiler/ir/program.h"
+#include "transpiler/sim/changed_inst.h"
 #include "transpiler/sim/decoded.h"
 #include "transpiler/sim/engine.h"
 #include "transpiler/sim/forced_bytes.h"
@@ -56,6 +57,11 @@ class Simulator : public Engine {
   /// Goes back, or to what another simulator of this program has saved; events that nobody took are gone.
   void Restore(const Saved& saved);
 
+  /// Goes where `other` is, which becomes what this one was; of one program. Events that nobody took are gone.
+  void Exchange(Saved& other);
+  /// Whether both go on alike, and look alike to the host.
+  bool IsAt(const Saved& other) const;
+
   /// What decides nothing, but is told of: who wrote last, and since when the clock runs.
   struct Noted {
     uint32_t now_ms = 0;
@@ -80,6 +86,16 @@ class Simulator : public Engine {
   /// kGaveOther. One without a value gives 0. None: it ends.
   static constexpr uint8_t kGave0 = 1, kGaveOther = 2;
   void NoteGiven(std::span<uint8_t> given) { given_ = given; }
+  /// From now on the program is executed with this change; none: as it is. A loop that has a proven bound and comes to
+  /// it is then ended as StopWhen ends it.
+  void Change(const std::optional<ChangedInst>& changed);
+  /// From now on it is noted where one of these would make a difference: of what is computed, the result; of what is
+  /// not stored, the memory; of all else, that it is executed with another operand. By number; costs time.
+  void LookForDifferences(const std::vector<ChangedInst>& changes);
+  /// Only those that are looked for are found; all are at first, and none of those that were found.
+  void LookFor(uint32_t change, bool wanted) { differences_[change].wanted = wanted; }
+  /// Found since the last call, each once.
+  std::vector<uint32_t> TakeDifferences() { return std::exchange(found_, {}); }
   const Instances& instances() const { return instances_; }
   /// What an instruction gave when it was executed last, as raw bits.
   uint64_t ValueOf(ir::ValueId id) const { return values_[id.index]; }
@@ -111,7 +127,34 @@ class Simulator : public Engine {
   template <bool kNotes>
   Flow ExecuteAll(const DecodedRegion& region);
   Flow ExecuteWithCare(ir::RegionId region);
-  bool is_careful() const { return switched_off_count_ > 0 || at_statement_; }
+  bool is_careful() const { return switched_off_count_ > 0 || at_statement_ || looks_for_differences_; }
+
+  // --- changes (simulator_changes.cc) ---
+  /// A changed instruction as it is executed.
+  struct Changed {
+    ChangedInst what;
+    ir::Inst inst;
+    std::optional<ir::Call> call;  // of a call with a changed argument
+    uint32_t operand = 0;          // kOperand: the value that stands there in the program
+    bool wanted = true;            // is looked for
+  };
+  Changed MakeChanged(const ChangedInst& what) const;
+  /// The region of the change.
+  Flow ExecuteChangedRegion(const DecodedRegion& region);
+  static bool IsRung(const Decoded& inst);
+  Flow ExecuteChangedRung(const Decoded& rung);
+  Flow ExecuteChangedInst();
+  Flow ExecuteLookingForDifferences(const Decoded& inst);
+  bool DiffersBefore(const Changed& changed);
+  bool DiffersInResult(const Changed& changed);
+  /// `inst` as it is here, its result at `id`.
+  Flow ExecuteAs(ir::InstId id, const ir::Inst& inst);
+  uint32_t NumberValue() const { return static_cast<uint32_t>(program_.insts.size()); }
+  uint32_t OtherResult() const { return NumberValue() + 1; }
+  const ir::Call& CallOf(const ir::Inst& inst) const {
+    return inst.payload == program_.calls.size() ? *changed_->call : program_.calls[ir::CallId(inst.payload)];
+  }
+
   void Note(uint32_t id) { given_[id] = static_cast<uint8_t>(given_[id] | (values_[id] != 0 ? kGaveOther : kGave0)); }
   void Decode();
   void FindRungs(DecodedRegion& region);
@@ -169,6 +212,14 @@ class Simulator : public Engine {
   std::function<bool()> stop_;
   std::function<bool(ir::StatementId)> at_statement_;
   std::span<uint8_t> given_;
+  std::optional<Changed> changed_;
+  ir::RegionId changed_region_;
+  uint32_t changed_entry_ = 0;               // in ready_: what executes the change
+  std::vector<Changed> differences_;         // by number
+  std::vector<uint32_t> differences_begin_;  // by InstId: in differences_in_order_
+  std::vector<uint32_t> differences_in_order_;
+  std::vector<uint32_t> found_;
+  bool looks_for_differences_ = false;
   uint32_t regions_ = 0;  // begun since `stop_` was asked
   bool stopped_ = false;
   std::vector<HostEvent> events_;

@@ -222,6 +222,26 @@ struct Simulator::Functions {
   }
 };
 
+bool Simulator::IsRung(const Decoded& inst) { return inst.execute == Functions::ExecuteRung; }
+
+Flow Simulator::ExecuteAs(ir::InstId id, const ir::Inst& inst) {
+  const Decoded decoded{.id = id.index, .a = inst.a, .b = inst.b, .c = inst.c, .payload = inst.payload};
+  switch (inst.op) {
+#define PLCXX_PURE(Kind, ...) \
+  case ir::OpKind::k##Kind:   \
+    return Functions::Kind(*this, decoded);
+#define PLCXX_STEP(Kind, ...) PLCXX_PURE(Kind)
+#define PLCXX_CORE(Kind, ...) \
+  case ir::OpKind::k##Kind:   \
+    return Execute##Kind(id, inst);
+#include "transpiler/ir/ops.def"
+#undef PLCXX_PURE
+#undef PLCXX_STEP
+#undef PLCXX_CORE
+  }
+  PLCXX_UNREACHABLE();
+}
+
 Decoded Simulator::DecodedOf(ir::InstId id) const {
   const ir::Inst& inst = program_[id];
   Decoded decoded{.execute = Functions::Of(inst.op),

@@ -63,9 +63,10 @@ Flow Simulator::Execute(RegionId region) {
   if (!region.valid()) return Flow::kOn;
   if (Stops()) return Flow::kLeaving;
   const Current outer = current_;
-  const Flow flow = is_careful()     ? ExecuteWithCare(region)
-                    : given_.empty() ? ExecuteAll<false>(decoded_regions_[region.index])
-                                     : ExecuteAll<true>(decoded_regions_[region.index]);
+  const Flow flow = is_careful()                ? ExecuteWithCare(region)
+                    : region == changed_region_ ? ExecuteChangedRegion(decoded_regions_[region.index])
+                    : given_.empty()            ? ExecuteAll<false>(decoded_regions_[region.index])
+                                                : ExecuteAll<true>(decoded_regions_[region.index]);
   current_ = outer;
   return flow;
 }
@@ -105,7 +106,7 @@ Flow Simulator::ExecuteWithCare(RegionId region) {
     }
     ++executed_;
     const Decoded& decoded = decoded_[decoded_at_[id.index]];
-    flow = decoded.execute(*this, decoded);
+    flow = looks_for_differences_ ? ExecuteLookingForDifferences(decoded) : decoded.execute(*this, decoded);
     if (!given_.empty()) Note(id.index);
     if (flow == Flow::kLeaving) break;
   }
@@ -206,6 +207,11 @@ Flow Simulator::ExecuteLoop(InstId id, const Inst& inst) {
     bool exhausted = false;
     switch (loop.kind) {
       case ir::LoopBound::kProven:
+        if (round >= loop.bound && changed_) {
+          stopped_ = true;
+          leaving_ = InstId();
+          return Flow::kLeaving;
+        }
         PLCXX_CHECK(round < loop.bound);
         break;
       case ir::LoopBound::kGuard:
@@ -251,7 +257,7 @@ Flow Simulator::ExecuteRepeat(InstId, const Inst& inst) {
 }
 
 Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
-  const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
+  const ir::Call& call = CallOf(inst);
   const ir::Routine& routine = program_.routines[call.routine];
   const bool is_partition = routine.kind != ir::RoutineKind::kSubroutine;
   const LocalStretches& locals = locals_[call.routine.index];
@@ -270,7 +276,7 @@ Flow Simulator::ExecuteCall(InstId id, const Inst& inst) {
 }
 
 Flow Simulator::ExecuteHostCall(InstId id, const Inst& inst) {
-  const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
+  const ir::Call& call = CallOf(inst);
   const HostAnswer answer = CallHost(call);
   values_[id.index] = answer.result;
   if (call.out.valid() && answer.out) Set(places_[call.out.index], 0, *answer.out, Writer::kProgram);

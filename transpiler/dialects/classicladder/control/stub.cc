@@ -20,6 +20,9 @@ class PinStub final : public dialects::ControlStub {
   }
 
   std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<PinStub>(*this); }
+  bool IsAtMomentOf(const dialects::ControlStub& other) const override {
+    return bytes_ == static_cast<const PinStub&>(other).bytes_;
+  }
 
   uint64_t Call(const ir::HostFunction& function, std::span<const uint64_t> /*arguments*/, dialects::ImagePort& image,
                 std::optional<uint64_t>& /*out*/) override {

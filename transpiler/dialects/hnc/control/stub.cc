@@ -32,6 +32,9 @@ class Stub final : public dialects::ControlStub {
   }
 
   std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<Stub>(*this); }
+  bool IsAtMomentOf(const dialects::ControlStub& other) const override {
+    return host_ == static_cast<const Stub&>(other).host_;
+  }
 
   void PowerOn(dialects::ImagePort& image) override { image_ = &image; }
 

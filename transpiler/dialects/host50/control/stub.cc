@@ -15,6 +15,7 @@ struct InputByte {
   uint32_t offset = 0;
   uint8_t mask = 0;  // bits that have been set, or that the program looks at or writes
   uint8_t value = 0;
+  bool operator==(const InputByte&) const = default;
 };
 
 bool IsInput(ir::SpaceId space) {
@@ -43,6 +44,9 @@ class MachineStub final : public dialects::ControlStub {
   }
 
   std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<MachineStub>(*this); }
+  bool IsAtMomentOf(const dialects::ControlStub& other) const override {
+    return bytes_ == static_cast<const MachineStub&>(other).bytes_;
+  }
 
   bool Written(const ir::Place& place, uint64_t value, dialects::ImagePort&) override {
     if (place.is_field() || !IsInput(place.space)) return false;

@@ -17,6 +17,7 @@ class Stub final : public dialects::ControlStub {
   Stub(const ir::Program& program, uint32_t axes) : memory_(program), axes_(memory_, axes) {}
 
   std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<Stub>(*this); }
+  bool IsAtMomentOf(const dialects::ControlStub& other) const override;
   void PowerOff() override;
   void PowerOn(dialects::ImagePort& image) override;
   void BeforePeriod(uint32_t now_ms, dialects::ImagePort&) override;
@@ -34,6 +35,12 @@ class Stub final : public dialects::ControlStub {
   uint32_t last_tick_ms_ = 0, now_ms_ = 0;
   dialects::ImagePort* image_ = nullptr;  // from the first power-on on; it lives as long as the scenario
 };
+
+bool Stub::IsAtMomentOf(const dialects::ControlStub& other) const {
+  const auto& stub = static_cast<const Stub&>(other);
+  return inputs_ == stub.inputs_ && outputs_ == stub.outputs_ && variables_ == stub.variables_ &&
+         axes_.IsAtMomentOf(stub.axes_) && last_tick_ms_ == stub.last_tick_ms_ && now_ms_ == stub.now_ms_;
+}
 
 /// What the machine holds stays: inputs, and what the extra cards were told last. The latches are cleared before PM 0
 /// runs, which may write them (4.3).

@@ -19,6 +19,8 @@ class PlcAxes {
       : inputs_(memory[SpaceKey::kI]), outputs_(memory[SpaceKey::kO]), count_(count) {}
 
   void PowerOn() { axes_ = {}; }
+  /// Of the same control.
+  bool IsAtMomentOf(const PlcAxes& other) const { return axes_ == other.axes_; }
   /// Step 6 of a tick, `elapsed_ms` after the last one.
   void Move(uint32_t elapsed_ms, dialects::ImagePort& image);
 
@@ -29,6 +31,7 @@ class PlcAxes {
     int32_t position_um = 0;
     uint32_t rest = 0;        // of the last division by 60
     uint8_t control_was = 0;  // first control byte at the last tick
+    bool operator==(const Axis&) const = default;
   };
   /// Where an axis has its bytes.
   struct Addresses {

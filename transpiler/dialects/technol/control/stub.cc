@@ -17,6 +17,10 @@ class Stub final : public dialects::ControlStub {
       : memory_(program), retain_(retain), backup_(*FindName(ir::NameIndex(program), "REQ_BACKUP_MEM")) {}
 
   std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<Stub>(*this); }
+  bool IsAtMomentOf(const dialects::ControlStub& other) const override {
+    const auto& stub = static_cast<const Stub&>(other);
+    return was_pending_ == stub.was_pending_ && constants_ == stub.constants_;
+  }
   void PowerOn(dialects::ImagePort& image) override {
     was_pending_ = false;
     GiveConstants(image);
