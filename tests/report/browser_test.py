@@ -11,6 +11,7 @@ import os
 import re
 import shutil
 import subprocess
+import pathlib
 import sys
 import tempfile
 
@@ -186,7 +187,7 @@ def paper(browser, page):
 
 
 def main():
-    plcxx, root = sys.argv[1], sys.argv[2]
+    plcxx, root = str(pathlib.Path(sys.argv[1]).resolve()), str(pathlib.Path(sys.argv[2]).resolve())
     chromium = sys.argv[3] if len(sys.argv) > 3 and sys.argv[3] else ""
     if not shutil.which(chromium or "chromium"):
         print("skipped: no chromium here (Debian package 'chromium', see dev/packages)")

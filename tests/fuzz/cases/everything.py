@@ -57,7 +57,7 @@ def attempt(plcxx, case, chosen_commands):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("plcxx")
+    parser.add_argument("plcxx", type=lambda path: str(pathlib.Path(path).resolve()))
     parser.add_argument("root", type=pathlib.Path)
     parser.add_argument("--share", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)

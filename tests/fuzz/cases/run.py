@@ -90,7 +90,7 @@ def attempt(number, args, cases, pool):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("plcxx")
+    parser.add_argument("plcxx", type=lambda path: str(pathlib.Path(path).resolve()))
     parser.add_argument("root", type=pathlib.Path)
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--seed", type=int, default=1)
