@@ -93,6 +93,8 @@ TEST(Project, APatternMeansAllTheOthers) {
   EXPECT_THAT(folder.Only("sources: '**/*.plc'\n").sources,
               ElementsAre("b.plc", "c.plc", "sub/d.plc", "sub/deep/e.plc"));
   EXPECT_THAT(folder.Only("sources: 's*/d.plc'\n").sources, ElementsAre("sub/d.plc"));
+  EXPECT_THAT(folder.Only("sources: '**/*'\n").sources,
+              ElementsAre("a.sym", "b.plc", "c.plc", "sub/d.plc", "sub/deep/e.plc"));
 }
 
 TEST(Project, SeveralProgramsShareWhatIsBesideThem) {

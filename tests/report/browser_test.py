@@ -8,10 +8,10 @@ Exit code 77, "skipped", where there is no Chromium.
 
 import base64
 import os
+import pathlib
 import re
 import shutil
 import subprocess
-import pathlib
 import sys
 import tempfile
 

@@ -199,6 +199,7 @@ class ProgramMaker {
       return {};
     }
     auto& names = std::get<std::vector<std::string>>(expanded);
+    std::erase_if(names, [](const std::string& name) { return fs::path(name).filename() == kProjectFile; });
     if (names.empty()) reader_.Fail(pattern.mark, "no file is called '" + pattern.text + "'");
     for (const std::string& name : names) {
       if (!CheckReach({{name, pattern.mark}})) return {};
