@@ -90,8 +90,8 @@ class HeldMachine : public dialects::ControlStub {
     return true;
   }
   void PowerOff() override { latch_ = 0; }
-  uint64_t ReadCell(uint32_t cell) override { return cell == 3 ? latch_ : 0; }
-  void WriteCell(uint32_t, uint64_t value) override { port_ = value; }
+  uint64_t ReadCell(uint32_t cell, const dialects::ImagePort&) override { return cell == 3 ? latch_ : 0; }
+  void WriteCell(uint32_t, uint64_t value, dialects::ImagePort&) override { port_ = value; }
 
  private:
   uint8_t input_ = 0;

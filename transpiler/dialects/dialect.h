@@ -145,7 +145,8 @@ class ImagePort {
 class ControlStub {
  public:
   virtual ~ControlStub() = default;
-  /// The same control at the same moment: a simulation that goes back to it goes on with this one.
+  /// The same control at the same moment: a simulation that goes back to it goes on with this one, maybe that of another
+  /// machine. So a control keeps no image beyond a call.
   virtual std::unique_ptr<ControlStub> Clone() const = 0;
   /// Whether it is at the same moment as another one of the same control: both go on alike. False: or it cannot tell.
   virtual bool IsAtMomentOf(const ControlStub& /*other*/) const { return false; }
@@ -174,8 +175,8 @@ class ControlStub {
   virtual bool Written(const ir::Place&, uint64_t /*value*/, ImagePort&) { return false; }
 
   /// What Location::cell names.
-  virtual uint64_t ReadCell(uint32_t /*cell*/) { return 0; }
-  virtual void WriteCell(uint32_t /*cell*/, uint64_t /*value*/) {}
+  virtual uint64_t ReadCell(uint32_t /*cell*/, const ImagePort&) { return 0; }
+  virtual void WriteCell(uint32_t /*cell*/, uint64_t /*value*/, ImagePort&) {}
 };
 
 enum class Budget : uint8_t { kFastUs, kSlowMs, kCodeKb };

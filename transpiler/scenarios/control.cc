@@ -162,7 +162,7 @@ void ScenarioControl::AfterPeriod(uint32_t now_ms) {
 void ScenarioControl::Set(const dialects::Location& location, uint64_t value) {
   if (location.cell) {
     is_setting_ = true;
-    if (stub_) stub_->WriteCell(*location.cell, value);
+    if (stub_) stub_->WriteCell(*location.cell, value, *this);
     is_setting_ = false;
     return;
   }

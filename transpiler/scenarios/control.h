@@ -93,7 +93,7 @@ class ScenarioControl : private dialects::ImagePort {
 
   /// The scenario writes `value` into a location that is neither a text input nor absent.
   void Set(const dialects::Location& location, uint64_t value);
-  uint64_t ReadCell(uint32_t cell) { return stub_ ? stub_->ReadCell(cell) : 0; }
+  uint64_t ReadCell(uint32_t cell) { return stub_ ? stub_->ReadCell(cell, *this) : 0; }
   /// Memory from the engine, cells from the stub.
   sim::ReadWatched Reader();
   const std::vector<uint32_t>& active_messages() const { return messages_.active(); }

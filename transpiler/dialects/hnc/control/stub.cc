@@ -36,11 +36,8 @@ class Stub final : public dialects::ControlStub {
     return host_ == static_cast<const Stub&>(other).host_;
   }
 
-  void PowerOn(dialects::ImagePort& image) override { image_ = &image; }
-
   uint64_t Call(const ir::HostFunction& function, std::span<const uint64_t> arguments, dialects::ImagePort& image,
                 std::optional<uint64_t>&) override {
-    image_ = &image;
     if (function.name == "parameters") {
       HandOver(Area::kP, Bytes(Area::kP), image);
     } else if (function.name == "inputs") {
@@ -71,10 +68,10 @@ class Stub final : public dialects::ControlStub {
   /// What is set in memory is the program's from then on.
   bool Written(const ir::Place&, uint64_t, dialects::ImagePort&) override { return true; }
 
-  uint64_t ReadCell(uint32_t cell) override {
-    if (cell != kFaultLineCell || image_ == nullptr) return 0;
+  uint64_t ReadCell(uint32_t cell, const dialects::ImagePort& image) override {
+    if (cell != kFaultLineCell) return 0;
     uint32_t id = 0;
-    for (uint32_t i = 0; i < 4; ++i) id |= uint32_t{image_->Get(system_, fault_ + i)} << (8 * i);
+    for (uint32_t i = 0; i < 4; ++i) id |= uint32_t{image.Get(system_, fault_ + i)} << (8 * i);
     if (id == 0) return 0;
     for (const ir::Statement& statement : program_.statements) {
       if (statement.id == id) return statement.line;
@@ -203,7 +200,6 @@ class Stub final : public dialects::ControlStub {
   ir::SpaceId system_;
   std::array<std::vector<uint8_t>, 7> host_;  // by Area; of those that the host writes
   uint32_t fault_ = 0, handwheels_ = 0;
-  dialects::ImagePort* image_ = nullptr;
 };
 
 }  // namespace

@@ -19,13 +19,13 @@ class Stub final : public dialects::ControlStub {
   std::unique_ptr<dialects::ControlStub> Clone() const override { return std::make_unique<Stub>(*this); }
   bool IsAtMomentOf(const dialects::ControlStub& other) const override;
   void PowerOff() override;
-  void PowerOn(dialects::ImagePort& image) override;
+  void PowerOn(dialects::ImagePort&) override;
   void BeforePeriod(uint32_t now_ms, dialects::ImagePort&) override;
   uint64_t Call(const ir::HostFunction& function, std::span<const uint64_t> arguments, dialects::ImagePort& image,
                 std::optional<uint64_t>& out) override;
   bool Written(const ir::Place& place, uint64_t value, dialects::ImagePort& image) override;
-  uint64_t ReadCell(uint32_t cell) override;
-  void WriteCell(uint32_t cell, uint64_t value) override;
+  uint64_t ReadCell(uint32_t cell, const dialects::ImagePort& image) override;
+  void WriteCell(uint32_t cell, uint64_t value, dialects::ImagePort& image) override;
 
  private:
   Memory memory_;
@@ -33,7 +33,6 @@ class Stub final : public dialects::ControlStub {
   std::map<std::pair<uint16_t, uint16_t>, uint32_t> variables_;  // by index and offset
   PlcAxes axes_;
   uint32_t last_tick_ms_ = 0, now_ms_ = 0;
-  dialects::ImagePort* image_ = nullptr;  // from the first power-on on; it lives as long as the scenario
 };
 
 bool Stub::IsAtMomentOf(const dialects::ControlStub& other) const {
@@ -48,8 +47,7 @@ void Stub::PowerOff() {
   for (uint32_t port = 0; port < kMostOutputBytes; ++port) outputs_[port] = 0;
 }
 
-void Stub::PowerOn(dialects::ImagePort& image) {
-  image_ = &image;
+void Stub::PowerOn(dialects::ImagePort&) {
   last_tick_ms_ = now_ms_ = 0;
   axes_.PowerOn();
 }
@@ -99,13 +97,13 @@ bool Stub::Written(const ir::Place& place, uint64_t value, dialects::ImagePort&)
   return true;
 }
 
-uint64_t Stub::ReadCell(uint32_t cell) {
+uint64_t Stub::ReadCell(uint32_t cell, const dialects::ImagePort& image) {
   const ControlCell named = CellOf(cell);
   if (named.is_data) {
     uint64_t value = 0;
     for (uint32_t i = 0; i < named.bytes; ++i) {
       const Cell byte = memory_.At(Space::kD, named.number + i);
-      value |= uint64_t{image_->Get(byte.space, byte.offset)} << 8 * i;
+      value |= uint64_t{image.Get(byte.space, byte.offset)} << 8 * i;
     }
     return value;
   }
@@ -113,12 +111,12 @@ uint64_t Stub::ReadCell(uint32_t cell) {
   return named.bytes == 1 ? outputs_[named.number] : outputs_[named.number] | outputs_[named.number + 1] << 8;
 }
 
-void Stub::WriteCell(uint32_t cell, uint64_t value) {
+void Stub::WriteCell(uint32_t cell, uint64_t value, dialects::ImagePort& image) {
   const ControlCell named = CellOf(cell);
   if (named.is_data) {
     for (uint32_t i = 0; i < named.bytes; ++i) {
       const Cell byte = memory_.At(Space::kD, named.number + i);
-      image_->Set(byte.space, byte.offset, static_cast<uint8_t>(value >> 8 * i));
+      image.Set(byte.space, byte.offset, static_cast<uint8_t>(value >> 8 * i));
     }
     return;
   }
