@@ -145,8 +145,8 @@ class ImagePort {
 class ControlStub {
  public:
   virtual ~ControlStub() = default;
-  /// The same control at the same moment: a simulation that goes back to it goes on with this one, maybe that of another
-  /// machine. So a control keeps no image beyond a call.
+  /// The same control at the same moment: a simulation that goes back to it goes on with this one, maybe that of
+  /// another machine. So a control keeps no image beyond a call.
   virtual std::unique_ptr<ControlStub> Clone() const = 0;
   /// Whether it is at the same moment as another one of the same control: both go on alike. False: or it cannot tell.
   virtual bool IsAtMomentOf(const ControlStub& /*other*/) const { return false; }

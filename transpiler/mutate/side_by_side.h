@@ -11,8 +11,8 @@
 // Not its job: changes whose time runs in another way; they are unclear, and have to be run alone (mutate.cc).
 //
 // Why no fleet (transpiler/fleet) with a lane for each change: compiling one takes 3 to 26 s for a sample before any
-// change is in it, where all changes take 1 to 36 s here; and the control is asked lane by lane there, too, which is two
-// fifths of what a scan of host50's sample takes.
+// change is in it, where all changes take 1 to 36 s here; and the control is asked lane by lane there, too, which is
+// two fifths of what a scan of host50's sample takes.
 #pragma once
 
 #include <cstdint>
