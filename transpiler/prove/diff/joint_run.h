@@ -56,14 +56,14 @@ class JointRun {
   Step StepOf(std::span<const machine::Transition* const> sides);
   void Execute(const Step& step);
 
-  Comparison& comparison_;
-  terms::Terms& terms_;
   struct Memory {
     Which which;
     execute::CellId cell;
     VariablePart part;
   };
 
+  Comparison& comparison_;
+  terms::Terms& terms_;
   Step init_;
   std::vector<Step> parts_;
   std::vector<VariablePart> inputs_;
