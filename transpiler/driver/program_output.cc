@@ -55,7 +55,7 @@ std::optional<compilation::CompilationRequest> MakeNamedRequest(const CommonOpti
                     options.directory + "/ is one)");
     return std::nullopt;
   }
-  if (!CanBeWritten({options.dependency_file == "-" ? "-" : ""})) return std::nullopt;
+  if (options.dependency_file == "-" && !CanBeWritten({options.dependency_file})) return std::nullopt;
   if (!options.dependency_file.empty()) {
     std::vector<std::string> paths = request->sources;
     paths.push_back(options.directory);

@@ -5,10 +5,10 @@
 
 namespace plcxx::ir {
 
-/// Calls `visit(uint32_t& word)` for every word that names a used value, in the order of UsedValues, and
-/// `visit(ValueId& argument)` for the arguments of calls. Works on const programs, too.
-template <class AnyProgram, class AnyInst, class Visit>
-void ForEachUse(AnyProgram& program, AnyInst& inst, Visit&& visit) {
+/// Calls `visit(uint32_t& word)` for every word of the instruction that names a used value, in the order of UsedValues:
+/// all that it uses but the arguments of calls.
+template <class AnyInst, class Visit>
+void ForEachOperand(AnyInst& inst, Visit&& visit) {
   constexpr uint32_t kNone = support::Id<void>::kNone;
   switch (Info(inst.op).shape) {
     case Shape::kPure:
@@ -31,8 +31,6 @@ void ForEachUse(AnyProgram& program, AnyInst& inst, Visit&& visit) {
       break;
     case Shape::kCall:
     case Shape::kHostCall:
-      for (auto& argument : program.calls[CallId(inst.payload)].arguments) visit(argument.index);
-      break;
     case Shape::kConst:
     case Shape::kText:
     case Shape::kStatement:
@@ -40,6 +38,19 @@ void ForEachUse(AnyProgram& program, AnyInst& inst, Visit&& visit) {
     case Shape::kBlock:
     case Shape::kLabel:
       break;
+  }
+}
+
+inline bool IsCall(const Inst& inst) { return inst.op == OpKind::kCall || inst.op == OpKind::kHostCall; }
+
+/// Calls `visit(uint32_t& word)` for every word that names a used value, in the order of UsedValues, those of the
+/// arguments of calls, too. Works on const programs, too.
+template <class AnyProgram, class AnyInst, class Visit>
+void ForEachUse(AnyProgram& program, AnyInst& inst, Visit&& visit) {
+  if (IsCall(inst)) {
+    for (auto& argument : program.calls[CallId(inst.payload)].arguments) visit(argument.index);
+  } else {
+    ForEachOperand(inst, visit);
   }
 }
 

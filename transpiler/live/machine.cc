@@ -101,10 +101,7 @@ void Machine::EnableStatement(ir::StatementId statement, bool enabled) {
   off_[statement.index] = !enabled;
 }
 
-uint64_t Machine::Read(const dialects::Location& location) {
-  if (location.absent) return 0;
-  return location.cell ? control_.ReadCell(*location.cell) : scenarios::ReadLocation(*simulator_, location);
-}
+uint64_t Machine::Read(const dialects::Location& location) { return location.absent ? 0 : control_.Read(location); }
 
 Machine::Saved Machine::Save() const {
   return {.simulator = simulator_->Save(),

@@ -228,14 +228,21 @@ uint64_t NumberInstead(ChangeKind kind, const ir::Inst& value) {
   return 0;
 }
 
+/// The word that names the value whose use is changed.
+template <class AnyProgram>
+auto* UseIn(AnyProgram& program, const Change& change) {
+  decltype(&program[change.inst].a) used = nullptr;
+  uint32_t use = 0;
+  ir::ForEachUse(program, program[change.inst], [&](auto& word) {
+    if (use++ == change.use) used = &word;
+  });
+  return used;
+}
+
 /// Puts a constant in the place of the value that is used there.
 void PutConstant(const Change& change, ir::Program& program) {
   constexpr unsigned kHalf = 32;
-  uint32_t* used = nullptr;
-  uint32_t use = 0;
-  ir::ForEachUse(program, program[change.inst], [&](uint32_t& word) {
-    if (use++ == change.use) used = &word;
-  });
+  uint32_t* const used = UseIn(program, change);
   ir::Inst constant = program[ir::ValueId(*used)];
   const uint64_t number = NumberInstead(change.kind, constant);
   constant = {.op = ir::OpKind::kConst, .type = constant.type, .range = constant.range};
@@ -308,15 +315,11 @@ sim::ChangedInst AsExecuted(const Change& change, const ir::Program& program) {
     case ChangeKind::kAlways0:
     case ChangeKind::kAlways1:
     case ChangeKind::kMore:
-    case ChangeKind::kLess: {
+    case ChangeKind::kLess:
       executed.how = sim::ChangedHow::kOperand;
       executed.use = change.use;
-      uint32_t use = 0;
-      ir::ForEachUse(program, program[change.inst], [&](uint32_t value) {
-        if (use++ == change.use) executed.number = NumberInstead(change.kind, program[ir::ValueId(value)]);
-      });
+      executed.number = NumberInstead(change.kind, program[ir::ValueId(*UseIn(program, change))]);
       break;
-    }
   }
   return executed;
 }

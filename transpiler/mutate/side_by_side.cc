@@ -11,6 +11,7 @@
 #include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/property_monitor.h"
+#include "transpiler/scenarios/run.h"
 #include "transpiler/scenarios/suite.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
@@ -26,26 +27,17 @@ using scenarios::ScenarioControl;
 
 enum class Piece : uint8_t { kPowerOn, kPeriod, kFastOnly, kElapse };
 
-/// What the clock drives: it does not know how many machines there are.
-class Driven : public sim::Engine {
+/// The clock does not know how many machines there are.
+class Driven : public sim::Clocked {
  public:
   Driven(sim::Engine& original, std::function<void(Piece, uint32_t)> run) : original_(original), run_(std::move(run)) {}
-  std::string_view name() const override { return original_.name(); }
   void PowerOn() override { run_(Piece::kPowerOn, 0); }
   void RunPeriod(uint32_t now_ms) override { run_(Piece::kPeriod, now_ms); }
   void RunFastOnly(uint32_t now_ms) override { run_(Piece::kFastOnly, now_ms); }
   void RunElapse(uint32_t now_ms) override { run_(Piece::kElapse, now_ms); }
   uint64_t Read(const ir::Place& place) override { return original_.Read(place); }
-
-  void AnswerHostCalls(sim::HostAnswers) override { PLCXX_UNREACHABLE(); }
-  void Write(const ir::Place&, uint64_t) override { PLCXX_UNREACHABLE(); }
-  void Force(const ir::Place&, uint64_t) override { PLCXX_UNREACHABLE(); }
-  void Release(const ir::Place&) override { PLCXX_UNREACHABLE(); }
-  void SendText(std::string_view) override { PLCXX_UNREACHABLE(); }
-  void EnableStatement(ir::StatementId, bool) override { PLCXX_UNREACHABLE(); }
+  /// A power cycle is done machine by machine.
   void StoreRetentive() override { PLCXX_UNREACHABLE(); }
-  std::vector<sim::HostEvent> TakeEvents() override { PLCXX_UNREACHABLE(); }
-  std::vector<uint8_t> Snapshot() override { PLCXX_UNREACHABLE(); }
 
  private:
   sim::Engine& original_;
@@ -289,19 +281,7 @@ class Runner {
   }
 
   void Do(const PlannedStep&, const scenarios::RunStep& run) {
-    for (const scenarios::RunPart& part : run.parts) {
-      switch (part.unit) {
-        case scenarios::RunUnit::kSlowCycles:
-          clock_.RunSlow(part.count);
-          break;
-        case scenarios::RunUnit::kFastTicks:
-          clock_.RunFast(part.count);
-          break;
-        case scenarios::RunUnit::kMilliseconds:
-          clock_.RunMs(part.count);
-          break;
-      }
-    }
+    for (const scenarios::RunPart& part : run.parts) scenarios::RunOn(clock_, part);
   }
 
   void Do(const PlannedStep& step, const scenarios::ExpectStep&) {
@@ -314,9 +294,7 @@ class Runner {
   bool Holds(const PlannedValue& planned) {
     const dialects::Location& location = planned.location;
     if (location.absent) return true;
-    const uint64_t value =
-        location.cell ? control_.ReadCell(*location.cell) : scenarios::ReadLocation(simulator_, location);
-    return sim::SameValue(location.place.type, value, planned.value);
+    return sim::SameValue(location.place.type, control_.Read(location), planned.value);
   }
 
   void Do(const PlannedStep& step, const scenarios::ExpectCallsStep&) {

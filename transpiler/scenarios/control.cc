@@ -97,20 +97,23 @@ void ScenarioControl::PowerOn() {
   if (stub_) stub_->PowerOn(*this);
 }
 
+ScenarioControl::Saved ScenarioControl::Saved::Clone() const {
+  return {.stub = stub ? stub->Clone() : nullptr, .set_bits = set_bits, .plant = plant, .plant_ms = plant_ms};
+}
+
 ScenarioControl::Moment ScenarioControl::Moment::Clone() const {
-  return {.control = {.stub = control.stub ? control.stub->Clone() : nullptr,
-                      .set_bits = control.set_bits,
-                      .plant = control.plant,
-                      .plant_ms = control.plant_ms},
-          .active = active,
-          .shown = shown};
+  return {.control = control.Clone(), .active = active, .shown = shown};
+}
+
+void ScenarioControl::Exchange(Saved& other) {
+  std::swap(stub_, other.stub);
+  std::swap(set_bits_, other.set_bits);
+  std::swap(plant_, other.plant);
+  std::swap(plant_ms_, other.plant_ms);
 }
 
 void ScenarioControl::Exchange(Moment& other) {
-  std::swap(stub_, other.control.stub);
-  std::swap(set_bits_, other.control.set_bits);
-  std::swap(plant_, other.control.plant);
-  std::swap(plant_ms_, other.control.plant_ms);
+  Exchange(other.control);
   std::vector<uint32_t> active = messages_.active();
   messages_.Become(std::move(other.active));
   other.active = std::move(active);
@@ -134,8 +137,7 @@ void ScenarioControl::MovePlant(uint32_t now_ms) {
   if (!plant_) return;
   plant_reads_.clear();
   for (const dialects::Location& location : bound_->reads()) {
-    plant_reads_.push_back(
-        PlantNumber(location, location.cell ? ReadCell(*location.cell) : ReadLocation(engine_, location)));
+    plant_reads_.push_back(PlantNumber(location, Read(location)));
   }
   const std::span<const int64_t> drives = plant_->Advance(now_ms - plant_ms_, plant_reads_);
   plant_ms_ = now_ms;
@@ -188,6 +190,10 @@ void ScenarioControl::NoteSet(const ir::Place& place) {
     uint8_t& mask = bits[place.offset + i];
     mask = place.type == ir::Type::kBit ? static_cast<uint8_t>(mask | 1u << place.bit) : uint8_t{0xFF};
   }
+}
+
+uint64_t ScenarioControl::Read(const dialects::Location& location) {
+  return location.cell ? ReadCell(*location.cell) : ReadLocation(engine_, location);
 }
 
 sim::ReadWatched ScenarioControl::Reader() {

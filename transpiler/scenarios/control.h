@@ -66,16 +66,15 @@ class ScenarioControl : private dialects::ImagePort {
     std::vector<std::vector<uint8_t>> set_bits;
     std::optional<plant::Plant> plant = {};
     uint32_t plant_ms = 0;
+    Saved Clone() const;
   };
   Saved Save() const {
     return {.stub = stub_ ? stub_->Clone() : nullptr, .set_bits = set_bits_, .plant = plant_, .plant_ms = plant_ms_};
   }
   /// Goes back to what this one has saved.
   void Restore(const Saved& saved) {
-    stub_ = saved.stub ? saved.stub->Clone() : nullptr;
-    set_bits_ = saved.set_bits;
-    plant_ = saved.plant;
-    plant_ms_ = saved.plant_ms;
+    Saved copy = saved.Clone();
+    Exchange(copy);
   }
 
   /// The control at a moment, the operator's eyes included.
@@ -93,6 +92,8 @@ class ScenarioControl : private dialects::ImagePort {
 
   /// The scenario writes `value` into a location that is neither a text input nor absent.
   void Set(const dialects::Location& location, uint64_t value);
+  /// What is at a location that is not absent: memory from the engine, a cell from the stub.
+  uint64_t Read(const dialects::Location& location);
   uint64_t ReadCell(uint32_t cell) { return stub_ ? stub_->ReadCell(cell, *this) : 0; }
   /// Memory from the engine, cells from the stub.
   sim::ReadWatched Reader();
@@ -109,6 +110,7 @@ class ScenarioControl : private dialects::ImagePort {
   void StoreRetentive() override { engine_.StoreRetentive(); }
   void LookAtMessages() override;
 
+  void Exchange(Saved& other);
   void SetPlace(const ir::Place& place, uint64_t value);
   /// Lets the plant move up to now, and writes what it drives.
   void MovePlant(uint32_t now_ms);

@@ -11,6 +11,7 @@
 #include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/failure.h"
 #include "transpiler/sim/clock.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::scenarios {
 namespace {
@@ -127,7 +128,7 @@ class Runner {
 
   Verdict Do(const RunStep& run) {
     for (const RunPart& part : run.parts) {
-      switch (Execute(part)) {
+      switch (RunOn(clock_, part)) {
         case sim::Step::kDone:
           break;
         case sim::Step::kInterrupted:
@@ -138,18 +139,6 @@ class Runner {
       }
     }
     return std::nullopt;
-  }
-
-  sim::Step Execute(const RunPart& part) {
-    switch (part.unit) {
-      case RunUnit::kSlowCycles:
-        return clock_.RunSlow(part.count);
-      case RunUnit::kFastTicks:
-        return clock_.RunFast(part.count);
-      case RunUnit::kMilliseconds:
-        return clock_.RunMs(part.count);
-    }
-    return sim::Step::kDone;
   }
 
   Verdict Do(const ExpectStep&) {
@@ -231,6 +220,18 @@ class Runner {
 };
 
 }  // namespace
+
+sim::Step RunOn(sim::Clock& clock, const RunPart& part) {
+  switch (part.unit) {
+    case RunUnit::kSlowCycles:
+      return clock.RunSlow(part.count);
+    case RunUnit::kFastTicks:
+      return clock.RunFast(part.count);
+    case RunUnit::kMilliseconds:
+      return clock.RunMs(part.count);
+  }
+  PLCXX_UNREACHABLE();
+}
 
 std::optional<std::string> RunScenario(ScenarioRun run) { return Runner(std::move(run)).Run(); }
 

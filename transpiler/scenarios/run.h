@@ -15,6 +15,7 @@
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/property_monitor.h"
 #include "transpiler/scenarios/scenario.h"
+#include "transpiler/sim/clock.h"
 #include "transpiler/sim/last_writes.h"
 #include "transpiler/sim/trace.h"
 #include "transpiler/source/source.h"
@@ -34,6 +35,9 @@ struct ScenarioRun {
   PropertyMonitor* monitor = nullptr;                 // of the scenario's properties; may be none
   std::vector<const PlannedValue*>* unmet = nullptr;  // gets the expectations that do not hold; may be none
 };
+
+/// A part of a `run` step.
+sim::Step RunOn(sim::Clock& clock, const RunPart& part);
 
 /// EngineFault of an engine passes through.
 std::optional<std::string> RunScenario(ScenarioRun run);

@@ -11,24 +11,24 @@ uint32_t UnitMs(const ir::Schedule& schedule) {
   return std::max(1u, schedule.fast_ms != 0 ? schedule.fast_ms : schedule.period_ms);
 }
 
-Clock::Clock(const ir::Program& program, std::vector<Engine*> engines)
+Clock::Clock(const ir::Program& program, std::vector<Clocked*> engines)
     : program_(program), engines_(std::move(engines)), period_ms_(std::max(1u, program.schedule.period_ms)) {
   PLCXX_CHECK(!engines_.empty());
 }
 
 void Clock::PowerOn() {
-  for (Engine* engine : engines_) engine->PowerOn();
+  for (Clocked* engine : engines_) engine->PowerOn();
   time_ms_ = 0;
 }
 
-void Clock::PowerOff(const ir::Program& program, Engine& engine) {
+void Clock::PowerOff(const ir::Program& program, Clocked& engine) {
   if (!program.schedule.retention) return;
   const ir::PlaceId asked = program.schedule.retain_at_power_off;
   if (!asked.valid() || engine.Read(program.places[asked]) != 0) engine.StoreRetentive();
 }
 
 void Clock::PowerCycle() {
-  for (Engine* engine : engines_) PowerOff(program_, *engine);
+  for (Clocked* engine : engines_) PowerOff(program_, *engine);
   PowerOn();
 }
 
@@ -41,7 +41,7 @@ Step Clock::RunPart(Part part) {
   const auto now = static_cast<uint32_t>(time_ms_);  // a control's clock wraps, too
   last_part_ = part;
   if (before_period) before_period(now);
-  for (Engine* engine : engines_) {
+  for (Clocked* engine : engines_) {
     switch (part) {
       case Part::kWholePeriod:
         engine->RunPeriod(now);
@@ -91,7 +91,7 @@ void Clock::ElapseEachMsBefore(uint64_t end) {
 void Clock::Elapse(uint64_t end) {
   ElapseEachMsBefore(end);
   time_ms_ = end;
-  for (Engine* engine : engines_) engine->RunElapse(static_cast<uint32_t>(end));
+  for (Clocked* engine : engines_) engine->RunElapse(static_cast<uint32_t>(end));
 }
 
 Step Clock::RunFor(uint32_t slow, uint32_t fast, uint64_t ms) {

@@ -26,7 +26,7 @@ uint32_t UnitMs(const ir::Schedule& schedule);
 class Clock {
  public:
   /// `engines`: at least one, all of `program`, which must outlive the clock as they must.
-  Clock(const ir::Program& program, std::vector<Engine*> engines);
+  Clock(const ir::Program& program, std::vector<Clocked*> engines);
 
   /// Called with the time of a period right before and right after all engines have executed it.
   std::function<void(uint32_t now_ms)> before_period, after_period;
@@ -47,7 +47,7 @@ class Clock {
   /// The host stores the retentive memory where the program asks for it, then PowerOn.
   void PowerCycle();
   /// The first half of PowerCycle, of one engine.
-  static void PowerOff(const ir::Program& program, Engine& engine);
+  static void PowerOff(const ir::Program& program, Clocked& engine);
   /// Whole periods until `count` slow cycles have been completed.
   Step RunSlow(uint32_t count);
   /// Every period whose time lies in [t, t + ms), or in (t, t + ms] when periods end their time; then t + ms. When that
@@ -75,7 +75,7 @@ class Clock {
   Step RunUntil(ir::PlaceId counter, uint32_t count);
 
   const ir::Program& program_;
-  std::vector<Engine*> engines_;
+  std::vector<Clocked*> engines_;
   uint64_t period_ms_;
   uint64_t time_ms_ = 0;
   Part last_part_ = Part::kWholePeriod;

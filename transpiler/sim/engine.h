@@ -45,18 +45,27 @@ struct AnsweredCall {
 /// Answers a host call in the middle of a period; it may read and write the engine that asks.
 using HostAnswers = std::function<HostAnswer(ir::HostFunctionId function, std::span<const uint64_t> arguments)>;
 
-class Engine {
+/// What a clock runs: a program in one engine, or as many machines of it as there are.
+class Clocked {
  public:
-  virtual ~Engine() = default;
-  /// For messages: "simulator", "compiled".
-  virtual std::string_view name() const = 0;
-
+  virtual ~Clocked() = default;
   /// Clears everything that is not retentive storage of the host, then runs init. Forces stay.
   virtual void PowerOn() = 0;
   virtual void RunPeriod(uint32_t now_ms) = 0;
   virtual void RunFastOnly(uint32_t now_ms) = 0;
   /// The schedule's `elapse`: time has passed without a period.
   virtual void RunElapse(uint32_t now_ms) = 0;
+  /// Any place, also one that the program does not use. Of many machines one that is the same in all of them: a clock
+  /// asks for counts of the scheduler.
+  virtual uint64_t Read(const ir::Place& place) = 0;
+  /// The host takes the retentive memory into its store, as a control does at power-off.
+  virtual void StoreRetentive() = 0;
+};
+
+class Engine : public Clocked {
+ public:
+  /// For messages: "simulator", "compiled".
+  virtual std::string_view name() const = 0;
 
   /// From now on `answers` is asked for every host call but those that the engine answers itself: the time, and the
   /// host's store of retentive memory. Without it calls give 0 and no second result.
@@ -75,8 +84,7 @@ class Engine {
   /// Ends the oldest piece that is open: its events, and the snapshot behind it, are there.
   virtual void EndPiece() {}
 
-  /// Any place, also one that the program does not use. A write is the host's: forced bits keep their value.
-  virtual uint64_t Read(const ir::Place& place) = 0;
+  /// Any place, as with Read. A write is the host's: forced bits keep their value.
   virtual void Write(const ir::Place& place, uint64_t value) = 0;
   /// The bytes of a space as they are, for who reads many of them; empty: Read has to do.
   virtual std::span<const uint8_t> Memory(ir::SpaceId /*space*/) const { return {}; }
@@ -92,8 +100,6 @@ class Engine {
   /// Switches a statement off or on (a switched-off head of a block counts as a false condition).
   virtual void EnableStatement(ir::StatementId statement, bool enabled) = 0;
 
-  /// The host takes the retentive memory into its store, as a control does at power-off.
-  virtual void StoreRetentive() = 0;
   virtual std::vector<HostEvent> TakeEvents() = 0;
 
   /// All bytes that decide the future: host-visible spaces in order, then the fields of all instances in order.

@@ -24,18 +24,16 @@ Simulator::Changed Simulator::MakeChanged(const ChangedInst& what) const {
     case ChangedHow::kOperand: {
       uint32_t use = 0;
       const auto change = [&](uint32_t& word) {
-        if (!ir::ValueId(word).valid() || use++ != what.use) return;
+        if (use++ != what.use) return;
         changed.operand = word;
         word = NumberValue();
       };
-      const ir::Shape shape = ir::Info(changed.inst.op).shape;
-      if (shape == ir::Shape::kCall || shape == ir::Shape::kHostCall) {
+      if (ir::IsCall(changed.inst)) {
         changed.call = program_.calls[ir::CallId(changed.inst.payload)];
         for (ir::ValueId& argument : changed.call->arguments) change(argument.index);
         changed.inst.payload = program_.calls.size();
       } else {
-        // Operands come first, and there is none behind the one that is meant.
-        for (uint32_t* const word : {&changed.inst.a, &changed.inst.b, &changed.inst.c}) change(*word);
+        ir::ForEachOperand(changed.inst, change);
       }
       break;
     }

@@ -4,8 +4,6 @@
 #include <bit>
 #include <span>
 
-#include "transpiler/support/check.h"
-
 namespace plcxx::soak {
 
 WideFleets::WideFleets(const std::shared_ptr<const fleet::Library>& library, uint32_t machines) {
@@ -62,13 +60,5 @@ void WideFleets::StoreRetentive() {
 void WideFleets::Run(fleet::Piece piece, uint32_t now_ms) {
   for (size_t i = 0; i < running_; ++i) fleets_[i]->Run(piece, now_ms);
 }
-
-void WideFleets::AnswerHostCalls(sim::HostAnswers) { PLCXX_UNREACHABLE(); }
-void WideFleets::Write(const ir::Place&, uint64_t) { PLCXX_UNREACHABLE(); }
-void WideFleets::Force(const ir::Place&, uint64_t) { PLCXX_UNREACHABLE(); }
-void WideFleets::Release(const ir::Place&) { PLCXX_UNREACHABLE(); }
-void WideFleets::SendText(std::string_view) { PLCXX_UNREACHABLE(); }
-void WideFleets::EnableStatement(ir::StatementId, bool) { PLCXX_UNREACHABLE(); }
-std::vector<uint8_t> WideFleets::Snapshot() { PLCXX_UNREACHABLE(); }
 
 }  // namespace plcxx::soak

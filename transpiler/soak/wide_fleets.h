@@ -1,13 +1,12 @@
 // The machines of a wide run in lockstep: as many fleets as it takes, each as wide as the library.
 //
-// In: a program compiled for fleets. Out: all of its machines as one Engine for the clock, which runs them; and of a
+// In: a program compiled for fleets. Out: all of its machines as one for the clock, which runs them; and of a
 // bit, which machines have it. Not its job: what one of them is given (fleet/lane.h), and its control.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "transpiler/fleet/fleet.h"
@@ -17,7 +16,7 @@
 
 namespace plcxx::soak {
 
-class WideFleets : public sim::Engine {
+class WideFleets : public sim::Clocked {
  public:
   WideFleets(const std::shared_ptr<const fleet::Library>& library, uint32_t machines);
 
@@ -37,7 +36,6 @@ class WideFleets : public sim::Engine {
   /// Those that it has in some machine.
   Values ValuesOf(const ir::Place& bit) const;
 
-  std::string_view name() const override { return "fleets"; }
   void PowerOn() override;
   void RunPeriod(uint32_t now_ms) override { Run(fleet::Piece::kPeriod, now_ms); }
   void RunFastOnly(uint32_t now_ms) override { Run(fleet::Piece::kFastOnly, now_ms); }
@@ -45,16 +43,6 @@ class WideFleets : public sim::Engine {
   void StoreRetentive() override;
   /// Counts of the scheduler, which are the same in every machine.
   uint64_t Read(const ir::Place& place) override { return fleets_.front()->Read(0, place); }
-
-  // Asked of one machine, not of all.
-  void AnswerHostCalls(sim::HostAnswers answers) override;
-  void Write(const ir::Place& place, uint64_t value) override;
-  void Force(const ir::Place& place, uint64_t value) override;
-  void Release(const ir::Place& place) override;
-  void SendText(std::string_view text) override;
-  void EnableStatement(ir::StatementId statement, bool enabled) override;
-  std::vector<sim::HostEvent> TakeEvents() override { return {}; }
-  std::vector<uint8_t> Snapshot() override;
 
  private:
   void Run(fleet::Piece piece, uint32_t now_ms);
