@@ -19,14 +19,15 @@ An editor starts it and talks to it over standard input and output (Language Ser
 Protocol 3.17). docs/editor.md says what Neovim, Helix, Kate and Emacs have to know of it.
 Exit codes: 0 after 'shutdown' and 'exit', 1 when the editor is gone without them.)";
 
-constexpr int kMappedBytes = 1 << 20;
+constexpr int kMappedBytes = 4 << 20, kFreeBytes = 16 << 20;
 
-/// A large C program is a few arrays of megabytes for a moment, after each key. The C library would keep them for
-/// the next time, and apart from each other for each thread: the parser of C has one of its own. So that an editor's
-/// server stays small, they go back to the system, and what is small has one heap.
-void KeepMemorySmall() {
+/// After each key a large C program is a few arrays of megabytes for a moment, which the next key needs again: they are
+/// kept, for what goes back to the system comes again page by page. The parser of C has a thread of its own; that the
+/// memory of one is not kept beside that of the other, there is one heap.
+void KeepMemory() {
   mallopt(M_ARENA_MAX, 1);
   mallopt(M_MMAP_THRESHOLD, kMappedBytes);
+  mallopt(M_TRIM_THRESHOLD, kFreeBytes);
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ void AddLsp(CLI::App& app, Run& run) {
   command->footer(kLspFooter);
   command->callback([&run, stdio] {
     run = [] {
-      KeepMemorySmall();
+      KeepMemory();
       return lsp::Serve(AnswersOfScenarios());
     };
   });

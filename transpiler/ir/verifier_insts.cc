@@ -21,14 +21,14 @@ struct OperandCheck {
   const Inst& inst;
   uint32_t floor;
 
-  void Use(uint32_t word, Type type, std::string_view what) { verifier.VerifyUse(inst, word, type, what, floor); }
+  void Use(uint32_t word, Type type, const OperandName& what) { verifier.VerifyUse(inst, word, type, what, floor); }
   void Report(const std::string& finding) { verifier.Report(inst, finding); }
 
   void Operands(const OpInfo& info) {
     const uint32_t words[] = {inst.a, inst.b, inst.c};
     for (uint32_t i = 0; i < 3; ++i) {
       if (i < info.operand_count) {
-        Use(words[i], info.operands[i], kOperandNames[i]);
+        Use(words[i], info.operands[i], {kOperandNames[i]});
       } else if (words[i] != kNoValue) {
         Report("too many operands");
       }
@@ -52,7 +52,7 @@ struct OperandCheck {
     if (place.indexed != (index != kNoValue)) {
       Report(place.name + (place.indexed ? " needs an index" : " has no index"));
     } else if (place.indexed) {
-      Use(index, Type::kI32, "index");
+      Use(index, Type::kI32, {"index"});
     }
     return place.type;
   }
@@ -63,7 +63,7 @@ struct OperandCheck {
       return;
     }
     for (size_t i = 0; i < arguments.size(); ++i) {
-      Use(arguments[i].index, parameters[i].type, "argument " + parameters[i].name);
+      Use(arguments[i].index, parameters[i].type, {"argument", parameters[i].name});
     }
     if (inst.type != result) Report("result of another type");
   }
@@ -92,8 +92,10 @@ struct OperandCheck {
 
 }  // namespace
 
-void Verifier::VerifyUse(const Inst& inst, uint32_t word, Type type, std::string_view what, uint32_t floor) {
-  const auto report = [&](const std::string& finding) { Report(inst, std::string(what) + finding); };
+void Verifier::VerifyUse(const Inst& inst, uint32_t word, Type type, const OperandName& what, uint32_t floor) {
+  const auto report = [&](const std::string& finding) {
+    Report(inst, std::string(what.role) + (what.name.empty() ? "" : " ") + std::string(what.name) + finding);
+  };
   if (word >= program.insts.size()) return report(" is missing");
   if (position[word] == 0) return report(" is used before it is computed");
   if (!region_open[home[word].index]) return report(" is computed in a region that is not around it");
@@ -123,7 +125,7 @@ void Verifier::VerifyInst(const Inst& inst, uint32_t floor) {
       break;
     case Shape::kStore: {
       const Type type = check.Access(inst.b);
-      if (type != Type::kNone) VerifyUse(inst, inst.a, type, "stored value", floor);
+      if (type != Type::kNone) VerifyUse(inst, inst.a, type, {"stored value"}, floor);
       break;
     }
     case Shape::kText:

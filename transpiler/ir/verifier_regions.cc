@@ -86,13 +86,13 @@ void Verifier::VerifyOwned(RegionId region, uint32_t floor, const Inst& owner) {
 }
 
 void Verifier::VerifyIf(const Inst& inst, uint32_t floor) {
-  VerifyUse(inst, inst.a, Type::kBit, "condition", floor);
+  VerifyUse(inst, inst.a, Type::kBit, {"condition"}, floor);
   VerifyOwned(RegionId(inst.b), floor, inst);
   if (RegionId(inst.c).valid()) VerifyOwned(RegionId(inst.c), floor, inst);
 }
 
 void Verifier::VerifySwitch(const Inst& inst, uint32_t floor) {
-  VerifyUse(inst, inst.a, Type::kNone, "selector", floor);
+  VerifyUse(inst, inst.a, Type::kNone, {"selector"}, floor);
   if (inst.payload >= program.switches.size()) return Report(inst, "unknown switch");
   std::vector<uint64_t> values;
   uint32_t defaults = 0;
@@ -152,12 +152,12 @@ void Verifier::VerifyBlock(InstId id, const Inst& inst, uint32_t floor) {
 }
 
 void Verifier::VerifyExit(const Inst& inst, uint32_t floor) {
-  if (ValueId(inst.a).valid()) VerifyUse(inst, inst.a, Type::kBit, "condition", floor);
+  if (ValueId(inst.a).valid()) VerifyUse(inst, inst.a, Type::kBit, {"condition"}, floor);
   if (inst.payload >= body_open.size() || !body_open[inst.payload]) Report(inst, "no block or loop around it");
 }
 
 void Verifier::VerifyRepeat(const Inst& inst, uint32_t floor) {
-  if (ValueId(inst.a).valid()) VerifyUse(inst, inst.a, Type::kBit, "condition", floor);
+  if (ValueId(inst.a).valid()) VerifyUse(inst, inst.a, Type::kBit, {"condition"}, floor);
   if (inst.payload >= body_open.size() || !body_open[inst.payload] ||
       program[InstId(inst.payload)].op != OpKind::kLoop) {
     return Report(inst, "no loop around it");
@@ -184,7 +184,7 @@ void Verifier::OpenLabels(RegionId region) {
 }
 
 void Verifier::VerifyJump(const Inst& inst, uint32_t floor) {
-  if (ValueId(inst.a).valid()) VerifyUse(inst, inst.a, Type::kBit, "condition", floor);
+  if (ValueId(inst.a).valid()) VerifyUse(inst, inst.a, Type::kBit, {"condition"}, floor);
   if (stage == Stage::kLowered) VerifyTarget(inst);
   if (RegionId(inst.b).valid()) VerifyOwned(RegionId(inst.b), floor, inst);
 }

@@ -2,12 +2,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "transpiler/ir/program.h"
 #include "transpiler/ir/verifier.h"
 
 namespace plcxx::ir {
+
+/// What an operand is to its instruction, "argument"; of an argument also its name.
+struct OperandName {
+  std::string_view role, name = {};
+};
 
 struct Verifier {
   const Program& program;
@@ -66,7 +72,7 @@ struct Verifier {
   // verifier_insts.cc: one instruction's operands and types.
   void VerifyInst(const Inst& inst, uint32_t floor);
   /// The value of an operand: computed, visible, of this type (kNone: of any type that is not kNone).
-  void VerifyUse(const Inst& inst, uint32_t word, Type type, std::string_view what, uint32_t floor);
+  void VerifyUse(const Inst& inst, uint32_t word, Type type, const OperandName& what, uint32_t floor);
 };
 
 }  // namespace plcxx::ir

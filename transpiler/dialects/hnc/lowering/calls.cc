@@ -40,7 +40,7 @@ CallResult Calls::CallFunction(const Expr& expr) {
         break;
       case TypeKind::kRecord:
         addresses[i] = addresses_.RecordAddress(expr.arguments[i]);
-        if (std::any_of(expr.arguments.begin(), expr.arguments.begin() + static_cast<std::ptrdiff_t>(i),
+        if (std::any_of(expr.arguments.begin(), expr.arguments.begin() + i,
                         [this](ExprId later) { return HasEffects(later); })) {
           records[i] = records_.Load(addresses[i], type);
         }

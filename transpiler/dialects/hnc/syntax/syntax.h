@@ -22,6 +22,7 @@
 #include "transpiler/dialects/hnc/machine/control_names.h"
 #include "transpiler/source/source.h"
 #include "transpiler/support/ids.h"
+#include "transpiler/support/rare_list.h"
 
 namespace plcxx::hnc {
 
@@ -228,8 +229,8 @@ struct Expr {
   source::Range range;  // with its own parentheses; in a macro: the place of use
   source::Range op;     // the operator's sign, where there is one
   ExprId a, b, c;
-  MacroUseId macro;               // the outermost macro use that wrote a part of it; none: written directly
-  std::vector<ExprId> arguments;  // kCall, left to right, converted as 6.1 and 6.4 say
+  MacroUseId macro;                     // the outermost macro use that wrote a part of it; none: written directly
+  support::RareList<ExprId> arguments;  // kCall, left to right, converted as 6.1 and 6.4 say
   VariableId variable;
   FunctionId function;
   uint32_t member = 0;  // kMember: index into Record::members

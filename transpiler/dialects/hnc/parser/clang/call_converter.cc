@@ -167,7 +167,7 @@ void CallConverter::ReportUndefined(const Call& call) {
 
 void CallConverter::CheckArguments(const Call& call, const clang::FunctionDecl* definition) {
   if (!call.expr.valid()) return;
-  std::vector<ExprId> arguments = unit_.expressions[call.expr].arguments;
+  support::RareList<ExprId> arguments = unit_.expressions[call.expr].arguments;
   const size_t count = definition->getNumParams();
   if (arguments.size() != count) {
     findings().Report(call.range, diag::HncArgumentCount, call.function->getNameAsString(), static_cast<int64_t>(count),
