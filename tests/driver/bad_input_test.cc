@@ -142,6 +142,18 @@ TEST(BadInput, CutOffUtf8) {
   EXPECT_EQ(work.Run("check cut.plc --encoding cp866").code, 0);
 }
 
+// "; +24 V" with a Cyrillic letter at the end of the last line: one byte above 7FH is no UTF-8 that was cut off.
+TEST(BadInput, OneLastLetterIsOfAnEightBitEncoding) {
+  const Workplace work;
+  work.Write("volt.plc", "U4A0=I0A0 ; +24 \xC2");
+  work.Write("last.plc", "U4A0=I0A0 ; \xFF");
+  for (const char* file : {"volt.plc", "last.plc"}) {
+    EXPECT_EQ(work.Run(std::string("check --dialect nc110 ") + file).code, 0) << file;
+    EXPECT_EQ(work.Run(std::string("check --encoding cp1251 ") + file).code, 0) << file;
+  }
+  ExpectRefused(work, "volt.plc --encoding utf-8", "UTF-8");
+}
+
 TEST(BadInput, UndefinedBytesAreNamed) {
   const Workplace work;
   work.Write("mixed.plc", "U4A0=I0A0 ; \xFF caf\xE9 \n$\n");

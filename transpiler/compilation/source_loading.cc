@@ -46,8 +46,9 @@ class Reader {
   std::optional<std::variant<std::string, source::LoadError>> standard_input_;
 };
 
-/// Does UTF-8 end within a character, as in a file that was not copied to its end? An 8-bit encoding is meant only
-/// where another byte speaks for one.
+/// Does UTF-8 end within a character, as in a file that was not copied to its end? Where nobody has asked for UTF-8,
+/// something else has to speak for it: one last byte above 7FH is a letter of an 8-bit encoding ("; +24 B" in
+/// Cyrillic).
 bool IsCutOff(std::string_view bytes, const source::LoadOptions& options) {
   if (options.encoding && *options.encoding != source::Encoding::kUtf8) return false;
   if (options.detection == source::Detection::kFallback) return false;  // the fallback is meant for it
@@ -57,7 +58,12 @@ bool IsCutOff(std::string_view bytes, const source::LoadOptions& options) {
     const auto lead = static_cast<unsigned char>(bytes[bytes.size() - rest]);
     const size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : lead >= 0x80 ? 0 : 1;
     if (length == 0) continue;  // goes on a character
-    return length > rest && source::IsValidUtf8(bytes.substr(0, bytes.size() - rest));
+    const std::string_view before = bytes.substr(0, bytes.size() - rest);
+    const bool is_lead = lead >= 0xC2 && lead <= 0xF4;
+    const bool is_asked_for = options.encoding.has_value();
+    const bool is_seen =
+        rest > 1 || std::ranges::any_of(before, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+    return is_lead && length > rest && (is_asked_for || is_seen) && source::IsValidUtf8(before);
   }
   return false;
 }
