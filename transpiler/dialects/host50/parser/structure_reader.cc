@@ -56,9 +56,34 @@ void StructureReader::ReadTopLevelLine() {
     Fault(Peek().range, diag::Host50UnexpectedEnd, word, "closes nothing");
     sections_.ForgetComments();
     ++line_;
-  } else {
+  } else if (!ReadMisspeltOpening()) {
     ReadStray();
   }
+}
+
+std::optional<uint32_t> StructureReader::NextEnd() const {
+  const std::vector<Line>& lines = files_[now_.file].lines;
+  for (uint32_t line = line_; line < lines.size(); ++line) {
+    const std::string_view word = WordOf(lines[line]);
+    if (const auto part = PartByEnd(word); part && part != PartKind::kLadder) return line;
+    if (Opener(word) || IsDirective(word)) break;
+  }
+  return std::nullopt;
+}
+
+bool StructureReader::ReadMisspeltOpening() {
+  const auto end = NextEnd();
+  if (!end) return false;
+  const PartKind part = *PartByEnd(WordOf(files_[now_.file].lines[*end]));
+  std::string word(WordOf(CurrentLine()));
+  std::ranges::transform(word, word.begin(), Upper);
+  constexpr size_t kShortName = 4;
+  const size_t most_edits = Name(part).size() > kShortName ? 2 : 1;
+  if (MnemonicByName(word) || support::EditDistance(word, Name(part)) > most_edits) return false;
+  Begin(CurrentLine());
+  Fault(Peek().range, diag::Host50UnknownInstructionNear, TextOf(Peek()), Name(part));
+  IsSection(part) ? ReadSection(part) : ReadTable(part);
+  return true;
 }
 
 void StructureReader::ReadTable(PartKind part) {
@@ -182,11 +207,16 @@ void StructureReader::ReadSection(PartKind part) {
 void StructureReader::ReadStray() {
   const SectionId id = sections_.OpenStraySection(CurrentLine());
   bool reported = false;
+  bool at_end = false;
   for (; !AtEndOfFile(); ++line_) {
     Line& line = CurrentLine();
     const std::string_view word = WordOf(line);
     const auto end = PartByEnd(word);
-    if (Opener(word) || IsDirective(word) || (end && end != PartKind::kLadder)) break;
+    if (Opener(word) || IsDirective(word)) break;
+    if (end && end != PartKind::kLadder) {
+      at_end = IsSection(*end);  // what it would close has been reported as standing outside of it
+      break;
+    }
     if (!EqualIgnoringCase(word, kNetwork)) {
       sections_.TakeBodyLine(id, line, line_);
       continue;
@@ -197,6 +227,7 @@ void StructureReader::ReadStray() {
     sections_.OpenStrayNetwork(id, line, line_ + 1);
   }
   sections_.CloseBody(line_);
+  if (at_end) ++line_;
 }
 
 }  // namespace plcxx::host50

@@ -19,6 +19,10 @@ class StructureReader : private StatementReader {
   void ReadTopLevelLine();
   void ReadTable(PartKind part);
   void ReadSection(PartKind part);
+  /// The line of the END that is met first, before any other part begins.
+  std::optional<uint32_t> NextEnd() const;
+  /// At a word that is nearly the opening word of the part that is closed next: E101, and the part begins.
+  bool ReadMisspeltOpening();
   /// Networks and instructions outside of any section, up to the next part.
   void ReadStray();
   /// At an END word that does not close `part`: E312. True when it is taken for the one that is missing.
