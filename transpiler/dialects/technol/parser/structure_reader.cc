@@ -1,6 +1,7 @@
 #include "transpiler/dialects/technol/parser/structure_reader.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "transpiler/dialects/technol/machine/signals.h"
 #include "transpiler/dialects/technol/parser/values.h"
@@ -17,6 +18,21 @@ bool IsFieldDirective(const std::string& word) {
 bool BeginsSection(const std::string& word) {
   return word == "DATA" || word == "DATA_END" || word == "START" || word == "STOP" || word == "MECH_BEGIN" ||
          word.starts_with("MODULE_") || word.starts_with("PRIPRAVNE_") || word.starts_with("ZAVERECNE_");
+}
+
+/// Lines that stand where structures stand, and are in none.
+bool IsDefinition(const std::string& first, const std::string& second) {
+  return first == "EQUI" || first == "T_INCLUDE" || first == "INCLUDE" || second == "EQU" || second == "MACRO" ||
+         second == "STRUC" || second == "STRUCT";
+}
+
+/// `ENDS` alone, `ENDS NAME`, `NAME NAME ENDS`, `NAME END`: the end is meant, and is not written as one.
+bool IsMeantEnd(std::span<const Token> words) {
+  for (size_t i = 0; i < words.size(); ++i) {
+    const std::string word = UpperWord(words, i);
+    if (word == "ENDS" || word == "END" || word == "ENDSTRUC" || word == "ENDSTRUCT") return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -50,15 +66,23 @@ bool StructureReader::ReadLine(const Statement& statement) {
     ReadField(statement, statement.label, 0);
   } else if (IsFieldDirective(second) && statement.label == nullptr) {
     ReadField(statement, words.data(), 1);
-  } else if (BeginsSection(first)) {
+  } else if (BeginsSection(first) || IsDefinition(first, second)) {
     LeaveOpenStructure(statement.range);
     return false;
   } else {
-    context_.Report(statement.range, diag::TechnolSyntax,
-                    "'" + std::string(words.empty() ? statement.label->text : words[0].text) + "'",
-                    "a field (DB, DW or DD) or '" + open_->name + " ENDS'");
+    ReportNoField(statement);
+    if (IsMeantEnd(words)) FinishStructure();
   }
   return true;
+}
+
+/// One wrong line may be all that is wrong: what follows may be no part of the structure.
+void StructureReader::ReportNoField(const Statement& statement) {
+  if (std::exchange(open_->has_wrong_line, true)) return;
+  const std::span<const Token> words = statement.words;
+  context_.Report(statement.range, diag::TechnolSyntax,
+                  "'" + std::string(words.empty() ? statement.label->text : words[0].text) + "'",
+                  "a field (DB, DW or DD) or '" + open_->name + " ENDS'");
 }
 
 void StructureReader::ReadField(const Statement& statement, const Token* name, size_t directive) {
@@ -125,7 +149,7 @@ void StructureReader::CloseStructure(const Statement& statement) {
 
 void StructureReader::LeaveOpenStructure(source::Range place) {
   if (!open_) return;
-  context_.Report(place, diag::TechnolEndsMissing, open_->name);
+  if (!open_->has_wrong_line) context_.Report(place, diag::TechnolEndsMissing, open_->name);
   FinishStructure();
 }
 

@@ -23,6 +23,7 @@ struct Structure {
   source::Range range;
   std::vector<StructureField> fields;
   std::vector<uint8_t> initial;
+  bool has_wrong_line = false;  // one that is neither a field nor the end
 };
 
 class StructureReader : private StatementReader {
@@ -48,6 +49,7 @@ class StructureReader : private StatementReader {
   /// [name] DB ...: the directive is word number `directive`.
   void ReadField(const Statement& statement, const Token* name, size_t directive);
   void DefineField(const Token& name, const StructureField& field);
+  void ReportNoField(const Statement& statement);
   void FinishStructure();
 
   CommentReader& comments_;

@@ -4,8 +4,14 @@ namespace plcxx::technol {
 
 void TargetReader::CheckReturn() {
   const UnitId unit = instruction_.unit;
-  if (context_.program.units[unit].kind == UnitKind::kSubprograms) return;
+  if (context_.program.units[unit].kind == UnitKind::kSubprograms || HasTakenTheRest(unit)) return;
   context_.Report(instruction_.range, diag::TechnolRetOutside, UnitName(unit));
+}
+
+/// A module that is not closed (reported): the subprograms behind it seem to be in it.
+bool TargetReader::HasTakenTheRest(UnitId unit) const {
+  const Unit& module = context_.program.units[unit];
+  return module.kind == UnitKind::kModule && module.close.begin == module.close.end;
 }
 
 std::string TargetReader::UnitName(UnitId unit) const {
@@ -62,6 +68,7 @@ void TargetReader::ReadCall() {
     return;
   }
   const Label& target = context_.program.labels[named.label];
+  if (HasTakenTheRest(target.unit)) return;
   if (context_.program.units[target.unit].kind != UnitKind::kSubprograms) {
     context_.Report(token->range, diag::TechnolNotSubprogram, token->text, UnitName(target.unit))
         .notes.push_back({target.range, "the label is here"});

@@ -19,6 +19,7 @@ class TargetReader : private OperandReader {
 
  private:
   void CheckJumpTarget(LabelId label, source::Range range);
+  bool HasTakenTheRest(UnitId unit) const;
   std::string UnitName(UnitId unit) const;
 };
 
