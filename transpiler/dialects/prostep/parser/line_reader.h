@@ -27,6 +27,7 @@ struct Waiting {
   InstructionId instruction;
   uint32_t fewest = 0, most = 0, found = 0;
   bool reported = false;  // it lacks operand lines, or its operands are unknown: nothing more is said
+  bool surplus = false;   // an operand line too much is reported, and those behind it with it
   std::vector<source::Range> operand_like{};  // comments that are what it lacks, where it lacks operand lines
 };
 

@@ -30,7 +30,7 @@ void OperandLineReader::TakeOperandLine(const Statement& statement) {
   const bool waits = now_.waiting.found < now_.waiting.most;
   const std::string text = operands_.OperandText(statement.tokens, 0);
   if (!waits) {
-    const bool reported = IsReported(statement);
+    const bool reported = IsReported(statement) || std::exchange(now_.waiting.surplus, true);
     if (!reported) diagnostics_.Report(statement.range, diag::ProstepStrayOperand, text);
     if (statement.has_comment()) comments_.AddComment(statement.comment.range, CommentPlace::kLeading);
     return;
