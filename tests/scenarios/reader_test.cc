@@ -167,7 +167,10 @@ TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
   EXPECT_THAT(Errors("sources: [a]\nstep: []\n"),
               ElementsAre("s.yaml:2:1: 'step' is no key of a scenario; there are: dialect, program, sources, options, "
                           "plant, steps, properties, expect_error, warnings, name, description\n"
-                          "  help: did you mean 'steps'",
+                          "  help: did you mean 'steps'"));
+  EXPECT_THAT(Errors("sources: [a]\nmachine: b\n"),
+              ElementsAre("s.yaml:2:1: 'machine' is no key of a scenario; there are: dialect, program, sources, "
+                          "options, plant, steps, properties, expect_error, warnings, name, description",
                           "s.yaml:1:1: nothing to test: there are no 'steps', no 'expect_error' and no 'warnings'"));
   EXPECT_THAT(
       Errors("steps:\n- wait: 3\n- run: {slow: 1, hours: 2}\n"),

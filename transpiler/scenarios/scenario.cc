@@ -9,6 +9,7 @@
 #include "transpiler/project/reach.h"
 #include "transpiler/scenarios/project_program.h"
 #include "transpiler/scenarios/reader.h"
+#include "transpiler/support/near_words.h"
 #include "transpiler/yaml/document.h"
 
 namespace plcxx::scenarios {
@@ -165,6 +166,7 @@ Scenario ScenarioReader::Read(const YAML::Node& root) {
   Scenario scenario;
   scenario.path = path();
   scenario.directory = std::filesystem::path(path()).parent_path().string();
+  bool has_misspelt_test = false;  // one of the keys that say what to test is meant
   for (const YamlEntry& entry : Map(root, "a scenario")) {
     const std::string& key = entry.key.text;
     if (key == "dialect" || key == "name" || key == "description") {
@@ -193,6 +195,8 @@ Scenario ScenarioReader::Read(const YAML::Node& root) {
     } else if (key == "steps") {
       scenario.steps = ReadSteps(entry.value);
     } else {
+      constexpr std::string_view kTests[] = {"steps", "expect_error", "warnings", "properties"};
+      has_misspelt_test = has_misspelt_test || !support::NearestWord(key, kTests).empty();
       RefuseKey(entry.key, "a scenario",
                 {"dialect", "program", "sources", "options", "plant", "steps", "properties", "expect_error", "warnings",
                  "name", "description"});
@@ -203,7 +207,8 @@ Scenario ScenarioReader::Read(const YAML::Node& root) {
     Fail(program_.mark, "'program' is one of plcxx.yaml, and 'sources' are others", "delete one of them");
   if (scenario.steps && scenario.expect_error) {
     Fail(scenario.expect_error->mark, "'expect_error' stands instead of 'steps', not beside them");
-  } else if (!scenario.steps && !scenario.expect_error && !scenario.warnings && scenario.properties.empty()) {
+  } else if (!scenario.steps && !scenario.expect_error && !scenario.warnings && scenario.properties.empty() &&
+             !has_misspelt_test) {
     Fail(Mark(root), "nothing to test: there are no 'steps', no 'expect_error' and no 'warnings'");
   }
   return scenario;
