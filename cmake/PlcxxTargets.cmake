@@ -68,6 +68,14 @@ function(plcxx_test_options TARGET)
   target_compile_definitions(${TARGET} PRIVATE PLCXX_ROOT="${PROJECT_SOURCE_DIR}" PLCXX_BINARY="${CMAKE_BINARY_DIR}/bin/plcxx")
 endfunction()
 
+# plcxx_test_library(<target>): what tests share, and programs that people start; compiled as tests are.
+function(plcxx_test_library TARGET)
+  if(PLCXX_PRECOMPILED)
+    target_precompile_headers(${TARGET} REUSE_FROM plcxx_test_headers)
+  endif()
+  plcxx_test_options(${TARGET})
+endfunction()
+
 # plcxx_test(<folder> [DEPENDS <folder>...] [RUNS_TOOL] [LABELS <label>...] [SHARDS <n>] [COST <seconds>]
 # [FILTER <filter>]): all *_test.cc of this folder, without those about hnc where nothing reads C. RUNS_TOOL: they run
 # the binary as well. The tests of one that takes long are dealt out to SHARDS entries of ctest, which runs them at
@@ -84,13 +92,10 @@ function(plcxx_test NAME)
   list(TRANSFORM ARG_DEPENDS PREPEND plcxx_)
   add_executable(${NAME}_test ${SOURCES})
   target_link_libraries(${NAME}_test PRIVATE ${ARG_DEPENDS} ${ARG_LIBRARIES} plcxx_options GTest::gmock_main)
-  if(PLCXX_PRECOMPILED)
-    target_precompile_headers(${NAME}_test REUSE_FROM plcxx_test_headers)
-  endif()
   if(ARG_RUNS_TOOL)
     add_dependencies(${NAME}_test plcxx)
   endif()
-  plcxx_test_options(${NAME}_test)
+  plcxx_test_library(${NAME}_test)
   set_target_properties(${NAME}_test PROPERTIES UNITY_BUILD ${PLCXX_UNITY})
   set_target_properties(${NAME}_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   if(NOT ARG_SHARDS)

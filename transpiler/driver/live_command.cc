@@ -28,6 +28,7 @@
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/report_page.h"
 #include "transpiler/driver/scenario_source.h"
+#include "transpiler/driver/simulated_control.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/traced_input.h"
 #include "transpiler/link/transport.h"
@@ -61,7 +62,6 @@ docs/live.md and docs/debug_link.md tell more. Ctrl+C ends it.
 Exit codes: 0 ended, 1 the program has errors, 2 wrong use.)";
 
 constexpr const char* kLoopback = "127.0.0.1";
-constexpr const char* kStubOption = "nc-stub";
 constexpr int kUsualPort = 8420;
 
 struct LiveSettings {
@@ -87,13 +87,6 @@ void OpenBrowser(const std::string& address) {
   char* arguments[] = {program.data(), argument.data(), nullptr};
   pid_t child = 0;
   posix_spawnp(&child, "xdg-open", nullptr, nullptr, arguments, environ);
-}
-
-bool HasStub(const dialects::Dialect& dialect) {
-  for (const dialects::OptionInfo& option : dialect.options) {
-    if (option.key == kStubOption) return true;
-  }
-  return false;
 }
 
 /// The simulated control answers unless somebody said that it does not; a recorded scenario says so, too.

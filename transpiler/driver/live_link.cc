@@ -34,7 +34,7 @@ constexpr size_t kMostWatched = 16;
 constexpr milliseconds kBetween{5};  // two questions, when nothing new was there
 
 volatile sig_atomic_t must_end = 0;
-void AskForTheEnd(int /*signal*/) { must_end = 1; }
+void NoteTheEnd(int /*signal*/) { must_end = 1; }
 
 /// A location as it was named, and where it is in State.
 struct Linked {
@@ -263,7 +263,7 @@ int LinkSession::Run() {
   }
   if (!Connect()) return kProgramHasErrors;
   struct sigaction action = {};
-  action.sa_handler = AskForTheEnd;
+  action.sa_handler = NoteTheEnd;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
   const int code = Exchange();
   // Nothing stays forced by a command that has ended.

@@ -12,6 +12,7 @@
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/sim_run.h"
+#include "transpiler/driver/simulated_control.h"
 #include "transpiler/driver/terminal.h"
 
 namespace plcxx::driver {
@@ -31,8 +32,6 @@ simulated one does unless --set nc-stub=off.
 plcxx emit --help lists what --set takes.
 Exit codes: 0 done, 1 the program has errors or the time limit was reached, 2 wrong use, 3 a fault of plcxx.)";
 
-constexpr const char* kStubOption = "nc-stub";
-
 struct SimSettings {
   CommonOptions common;
   SimWords words;
@@ -40,13 +39,6 @@ struct SimSettings {
   std::string waveform, plant;
   uint32_t time_limit = 60;
 };
-
-bool HasOption(const dialects::Dialect& dialect, std::string_view key) {
-  for (const dialects::OptionInfo& option : dialect.options) {
-    if (option.key == key) return true;
-  }
-  return false;
-}
 
 /// What is wrong where --at sets what the plant would write again; empty: nothing.
 std::string SetOfDriven(const SimPlan& plan, const scenarios::BoundPlant* plant) {
@@ -103,7 +95,7 @@ int RunSim(const SimSettings& settings) {
   }
 
   std::map<std::string, std::string> options = compilation.options;
-  if (HasOption(*compilation.dialect, kStubOption)) options.emplace(kStubOption, "on");  // off only on request
+  if (HasStub(*compilation.dialect)) options.emplace(kStubOption, "on");  // off only on request
   SimRunOptions run_options;
   run_options.rows = settings.changes ? Rows::kChangesOnly : Rows::kEveryScan;
   run_options.with_trace = !settings.waveform.empty();

@@ -48,7 +48,7 @@ Examples:
 
 docs/soak.md tells more. Exit codes: 0 nothing found, 1 something found, or the program has errors, 2 wrong use.)";
 
-constexpr uint64_t kMsPerHour = 3'600'000, kMostHours = 10'000'000;
+constexpr uint64_t kMostHours = 10'000'000;
 constexpr uint32_t kMostMachines = 1'000'000;
 constexpr const char *kSimulator = "sim", *kFleet = "fleet";
 
@@ -84,7 +84,7 @@ std::optional<uint64_t> LengthMs(const std::string& text) {
   if (digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
   const uint64_t hours = std::stoull(digits);
   if (hours > kMostHours) return std::nullopt;
-  return hours * kMsPerHour;
+  return static_cast<uint64_t>(std::chrono::milliseconds(std::chrono::hours(hours)).count());
 }
 
 struct Shard {
