@@ -174,6 +174,21 @@ std::string SystemHeader(AbsMeaning abs) {
   return text + "#endif\n";
 }
 
+bool IsNameOfSystemHeader(std::string_view name) {
+#define HNC_POINTER(Name, Parameters, Table, Index) \
+  if (name == Name) return true;
+#define HNC_ADDRESS(Name, Parameters, Text) \
+  if (name == Name) return true;
+#define HNC_CELL(Name, Number) \
+  if (name == Name) return true;
+#define HNC_CONSTANT(Name, Text) \
+  if (name == Name) return true;
+#include "transpiler/dialects/hnc/machine/machine.def"
+  const FunctionRow* function = FindSystemFunction(name);
+  return FindSystemName(name).has_value() || name == "plc1_time" || name == "plc2_time" ||
+         (function != nullptr && IsDeclaredBy(*function, "plc.h"));
+}
+
 std::string ExpectedDeclarations(std::string_view prefix) {
   std::string text = AreaDeclarations(prefix);
   for (const FunctionRow& row : SystemFunctions()) {

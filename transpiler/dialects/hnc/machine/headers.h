@@ -17,6 +17,8 @@ enum class AbsMeaning : uint8_t { kInt, kLong };
 bool IsSystemHeaderName(std::string_view name);
 
 std::string SystemHeader(AbsMeaning abs);
+/// A variable, macro or function of it.
+bool IsNameOfSystemHeader(std::string_view name);
 /// Declarations of all variables and functions of the headers with a prefix in front of their names: what they are,
 /// whether or not a header is included.
 std::string ExpectedDeclarations(std::string_view prefix);

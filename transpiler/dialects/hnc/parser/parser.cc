@@ -9,6 +9,7 @@
 
 #include "transpiler/dialects/common/printing.h"
 #include "transpiler/dialects/hnc/machine/options.h"
+#include "transpiler/dialects/hnc/parser/consequences.h"
 #include "transpiler/dialects/hnc/parser/files.h"
 #include "transpiler/dialects/hnc/parser/kept_program.h"
 #include "transpiler/dialects/hnc/parser/module.h"
@@ -132,6 +133,8 @@ class Reporter {
                            [&](const Finding& finding) { return !IsLeftOut(finding.range); });
     }
     std::ranges::copy(parsed_.output.findings.all(), std::back_inserter(findings));
+    if (!parsed_.files->system_header_read()) MergeMissingHeader(*request_.sources, findings);
+    MergeMissingBrace(*request_.sources, findings);
     std::ranges::stable_sort(findings, {}, &Finding::phase);
     std::set<Line> divisions;  // a division by zero is also no constant expression
     for (const Finding& finding : findings) {
