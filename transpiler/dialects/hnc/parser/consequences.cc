@@ -102,7 +102,7 @@ void MergeMissingHeader(const source::SourceManager& sources, std::vector<Findin
   const auto follows = [&](const Finding& finding) {
     return IsCode(finding, {&diag::HncUndeclared.row, &diag::HncUndefinedFunction.row, &diag::HncIncompatible.row,
                             &diag::HncPointerAsValue.row, &diag::HncNotAssignable.row}) &&
-           NamesHeader(LineAt(sources, finding.range.begin));
+           finding.range.begin != 0 && NamesHeader(LineAt(sources, finding.range.begin));
   };
   const Finding* first = nullptr;
   for (const Finding& finding : findings) {
