@@ -1,6 +1,7 @@
 #include "transpiler/prove/verify/replaced_call.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <iterator>
 #include <ranges>
@@ -132,12 +133,16 @@ ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const execute::Cell
   for (const ir::PlaceId place : unit.references) {
     if (!Gets(parameters, emittable.place_names[place.index])) continue;
     const std::vector<execute::CellId> touched = execute::CellsOf(program_, cells_, program_.places[place]);
+    const auto any = [&touched](const std::vector<bool>& cells) {
+      return std::ranges::any_of(touched, [&cells](execute::CellId cell) { return bool{cells[cell.index]}; });
+    };
+    const bool written = any(unit.footprint.written);
     items_.push_back({.kind = Kind::kReference,
                       .cell = {},
                       .place = place,
                       .width = meaning::WidthOf(program_.places[place].type),
-                      .written = std::ranges::any_of(
-                          touched, [&unit](execute::CellId cell) { return unit.footprint.written[cell.index]; }),
+                      .written = written,
+                      .read = !written || any(unit.footprint.read),
                       .name = emittable.place_names[place.index]});
   }
 }
@@ -159,12 +164,13 @@ void ReplacedCall::AddItems(Passes passes) {
     }
     const bool whole = byte.kind == ByteKind::kBits;
     if (!whole && byte.low != 0) continue;
-    bool touched = shown, written = false;
+    bool touched = shown, written = false, read = shown;
     for (uint32_t i = 0; i < (whole ? 8U : 1U); ++i) {
       const uint32_t cell = byte.cell.index + i;
       placed[cell] = true;
       touched = touched || footprint.touched[cell];
       written = written || footprint.written[cell];
+      read = read || footprint.read[cell];
     }
     if (!touched) continue;
     items_.push_back(
@@ -174,6 +180,7 @@ void ReplacedCall::AddItems(Passes passes) {
          .place = {},
          .width = whole ? uint8_t{8} : execute::CellWidth(program_, execute::CellAt(program_, cells_, byte.cell)),
          .written = written,
+         .read = !written || read,
          .name = image_.NameOf(at)});
   }
   for (uint32_t i = 0; i < cells_.count; ++i) {
@@ -195,59 +202,70 @@ void ReplacedCall::AddItems(Passes passes) {
   }
 }
 
-terms::TermId ReplacedCall::After(terms::Terms& terms, terms::TermId known, const std::string& name,
-                                  uint8_t width) const {
+terms::TermId ReplacedCall::After(terms::Terms& terms, terms::TermId known, terms::TermId found,
+                                  const std::string& name, uint8_t width) const {
   // One call of the code may be one of several of the program's, which have results of their own.
   const terms::Term term = terms[known];
   if (term.kind == terms::TermKind::kIte) {
-    const terms::TermId one = After(terms, terms::TermId(term.b), name, width);
-    return terms.Ite(terms::TermId(term.a), one, After(terms, terms::TermId(term.c), name, width));
+    const terms::TermId one = After(terms, terms::TermId(term.b), found, name, width);
+    return terms.Ite(terms::TermId(term.a), one, After(terms, terms::TermId(term.c), found, name, width));
   }
-  return terms.Apply(terms.Function(name + " after " + unit_.name, width), {&known, 1});
+  const std::array both = {known, found};
+  return terms.Apply(terms.Function(name + " after " + unit_.name, width),
+                     std::span(both).first(found.valid() ? 2 : 1));
+}
+
+std::vector<terms::TermId> ReplacedCall::ArgumentsAmong(std::span<const terms::TermId> found) const {
+  std::vector<terms::TermId> arguments;
+  for (size_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].read) arguments.push_back(found[i]);
+  }
+  return arguments;
 }
 
 terms::TermId ReplacedCall::ResultAfter(terms::Terms& terms, terms::TermId known) const {
   constexpr const char* kName = "the result";
   const uint8_t width = meaning::WidthOf(program_.places[unit_.result].type);
-  if (!result_) return After(terms, known, kName, width);
+  if (!result_) return After(terms, known, {}, kName, width);
   if (result_->low == 0 && std::has_single_bit(result_->count) && result_->count > 1)
-    return terms.Zext(After(terms, known, kName, static_cast<uint8_t>(std::countr_zero(result_->count))), width);
-  const terms::TermId any = After(terms, known, kName, width), low = terms.Const(result_->low, width);
+    return terms.Zext(After(terms, known, {}, kName, static_cast<uint8_t>(std::countr_zero(result_->count))), width);
+  const terms::TermId any = After(terms, known, {}, kName, width), low = terms.Const(result_->low, width);
   return terms.Ite(terms.Ult(terms.Sub(any, low), terms.Const(result_->count, width)), any, low);
 }
 
 std::vector<execute::CellChange> ReplacedCall::OnCells(execute::Memory& memory, terms::TermId hash, terms::TermId when,
                                                        CallLog& log) const {
   terms::Terms& terms = memory.terms();
-  std::vector<terms::TermId> arguments;
+  std::vector<terms::TermId> found;  // by item
   for (const Item& item : items_) {
     switch (item.kind) {
       case Kind::kByte:
-        arguments.push_back(
+        found.push_back(
             image_.ByteFor(terms, item.offset, [&memory](execute::CellId cell) { return memory.Read(cell); }, hash));
         break;
       case Kind::kField:
       case Kind::kCalls:
-        arguments.push_back(memory.Read(item.cell));
+        found.push_back(memory.Read(item.cell));
         break;
       case Kind::kLayout:
-        arguments.push_back(hash);
+        found.push_back(hash);
         break;
       case Kind::kValue:
       case Kind::kReference:
-        arguments.push_back(memory.ReadPlace(program_.places[item.place]));
+        found.push_back(memory.ReadPlace(program_.places[item.place]));
         break;
     }
   }
-  const terms::TermId known = log.CalledByProgram(*this, std::move(arguments), when);
+  const terms::TermId known = log.CalledByProgram(*this, ArgumentsAmong(found), when);
   std::vector<execute::CellChange> changes;
   const auto spread = [&](const std::vector<execute::CellId>& cells, terms::TermId value) {
     uint8_t bit = 0;  // of 32
     for (const execute::CellId cell : cells) changes.push_back({cell, terms.Extract(value, bit++, 1)});
   };
-  for (const Item& item : items_) {
+  for (size_t i = 0; i < items_.size(); ++i) {
+    const Item& item = items_[i];
     if (!item.written) continue;
-    const terms::TermId value = After(terms, known, item.name, item.width);
+    const terms::TermId value = AfterIn(item, terms, known, found[i]);
     if (item.kind == Kind::kByte) {
       for (uint8_t bit = 0; bit < 8; ++bit)
         changes.push_back({execute::CellId(item.cell.index + bit), terms.Extract(value, bit, 1)});
@@ -326,7 +344,7 @@ terms::TermId ReplacedCall::OnCode(terms::Terms& terms, CodeMemory& memory, cons
     if (image_.IsBit(at)) CheckedBit(terms, memory, memory.Read(at));
   }
   const auto counter = [this](const Item& item) { return image_.size() + item.cell.index - cells_.calls; };
-  std::vector<terms::TermId> arguments;
+  std::vector<terms::TermId> found;  // by item
   for (size_t i = 0; i < items_.size(); ++i) {
     const Item& item = items_[i];
     terms::TermId value = bound->values[i];
@@ -340,9 +358,9 @@ terms::TermId ReplacedCall::OnCode(terms::Terms& terms, CodeMemory& memory, cons
       value = CheckedBit(terms, memory, value);
     }
     if (terms.Width(value) != item.width) return misfit();
-    arguments.push_back(value);
+    found.push_back(value);
   }
-  const terms::TermId known = log.CalledByCode(*this, std::move(arguments), memory.When());
+  const terms::TermId known = log.CalledByCode(*this, ArgumentsAmong(found), memory.When());
   if (!known.valid()) {
     refusal = "calls in another order: " + unit_.name;
     return {};
@@ -350,7 +368,7 @@ terms::TermId ReplacedCall::OnCode(terms::Terms& terms, CodeMemory& memory, cons
   for (size_t i = 0; i < items_.size(); ++i) {
     const Item& item = items_[i];
     if (!item.written) continue;
-    const terms::TermId value = After(terms, known, item.name, item.width);
+    const terms::TermId value = AfterIn(item, terms, known, found[i]);
     if (item.kind == Kind::kCalls) {
       memory.Write(counter(item), value);
     } else {

@@ -97,6 +97,7 @@ class ReplacedCall {
     ir::PlaceId place;     // kValue, kReference
     uint8_t width = 8;
     bool written = false;
+    bool read = true;  // what it does depends on what it finds there
     std::string name;  // for the function that gives what is written
   };
   /// Where the arguments of one call are.
@@ -109,8 +110,14 @@ class ReplacedCall {
   std::optional<Bound> Bind(const HostRequest& request) const;
   terms::TermId ReadCode(terms::Terms& terms, CodeMemory& memory, const Item& item, uint32_t slot) const;
   terms::TermId CheckedBit(terms::Terms& terms, CodeMemory& memory, terms::TermId byte) const;
-  /// What a call leaves in an item.
-  terms::TermId After(terms::Terms& terms, terms::TermId known, const std::string& name, uint8_t width) const;
+  /// What a call leaves: where `found` is valid, that may be what stood there.
+  terms::TermId After(terms::Terms& terms, terms::TermId known, terms::TermId found, const std::string& name,
+                      uint8_t width) const;
+  terms::TermId AfterIn(const Item& item, terms::Terms& terms, terms::TermId known, terms::TermId found) const {
+    return After(terms, known, item.read ? terms::TermId() : found, item.name, item.width);
+  }
+  /// Of what is there before a call, by item: what it depends on.
+  std::vector<terms::TermId> ArgumentsAmong(std::span<const terms::TermId> found) const;
   terms::TermId ResultAfter(terms::Terms& terms, terms::TermId known) const;
 
   const emit::Emittable& emittable_;

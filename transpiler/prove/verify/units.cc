@@ -5,6 +5,7 @@
 #include "transpiler/ir/accesses.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/uses.h"
+#include "transpiler/prove/verify/entry_reads.h"
 #include "transpiler/symbolic/execute/host_writes.h"
 
 namespace plcxx::prove::verify {
@@ -13,7 +14,7 @@ namespace {
 class UnitMaker {
  public:
   UnitMaker(const emit::Emittable& emittable, const execute::Cells& cells)
-      : emittable_(emittable), program_(*emittable.program), cells_(cells) {}
+      : emittable_(emittable), program_(*emittable.program), cells_(cells), entry_reads_(program_, cells) {}
 
   Units Run();
 
@@ -38,6 +39,7 @@ class UnitMaker {
   const emit::Emittable& emittable_;
   const ir::Program& program_;
   const execute::Cells& cells_;
+  EntryReads entry_reads_;
   Units units_;
   std::vector<Footprint> routines_;  // by RoutineId; empty: not looked at yet
 };
@@ -197,6 +199,7 @@ Units UnitMaker::Run() {
   for (Unit& unit : units_.all) {
     FindCallees(unit);
     unit.footprint = unit.part.region.valid() ? OfPart(unit.part) : OfRoutine(unit.part.routine);
+    unit.footprint.read = entry_reads_.Of(unit.part);
   }
   return std::move(units_);
 }

@@ -25,6 +25,7 @@ enum class Passes : uint8_t {
 /// Cells, by CellId.
 struct Footprint {
   std::vector<bool> touched, written;
+  std::vector<bool> read;                             // before it is written; may be so
   bool shows_state = false, shows_retentive = false;  // to a host function, as a whole
   bool lends_state = false;                           // to one that writes it, and may read it
 };
