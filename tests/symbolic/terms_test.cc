@@ -480,6 +480,23 @@ TEST(Terms, LongRowsOfChoicesAreKept) {
   EXPECT_LE(terms.size() - before, 2U);
 }
 
+// The magnitude of a magnitude is that magnitude, of the lowest number, too.
+TEST(Terms, MagnitudesOfMagnitudesAreOneTerm) {
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 8);
+  const auto sign = [&](terms::TermId of) { return terms.Extract(of, 7, 1); };
+  const auto magnitude = [&](terms::TermId of) { return terms.Ite(sign(of), terms.Neg(of), of); };
+  const terms::TermId once = magnitude(x);
+  EXPECT_EQ(magnitude(once), once);
+  EXPECT_EQ(terms.Neg(terms.Neg(x)), x);
+  EXPECT_EQ(terms.Neg(terms.Neg(once)), once);
+  for (uint64_t value = 0; value < 256; ++value) {
+    const uint64_t size = value < 128 ? value : 256 - value;
+    EXPECT_EQ(terms::Evaluate(terms, once, {&value, 1}), size);
+    EXPECT_EQ(terms::Evaluate(terms, terms.Neg(once), {&value, 1}), (256 - size) & 255);
+  }
+}
+
 TEST(Terms, UnknownFunctionsAreFunctions) {
   terms::Terms terms;
   const terms::FunctionId f = terms.Function("f", 16), g = terms.Function("g", 16);

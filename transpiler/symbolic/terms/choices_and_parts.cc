@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "transpiler/symbolic/terms/magnitude.h"
 #include "transpiler/symbolic/terms/sign_extended.h"
 #include "transpiler/symbolic/terms/terms.h"
 
@@ -248,6 +249,12 @@ TermId Terms::Ite(TermId condition, TermId then, TermId otherwise) {
       one_of.kind == TermKind::kOr && first.kind == TermKind::kIte && (first.a == one_of.a || first.a == one_of.b)) {
     const TermId next(first.a == one_of.a ? one_of.b : one_of.a);
     return Ite(TermId(first.a), TermId(first.b), Ite(next, TermId(first.c), otherwise));
+  }
+  // The magnitude of a magnitude: where both x and -x are negative, they are one number.
+  if (const Term inner = terms_[then.index];
+      inner.kind == TermKind::kIte && IsSignOf(*this, condition, otherwise) && TermId(inner.b) == otherwise &&
+      IsNegOf(*this, TermId(inner.c), otherwise) && IsSignOf(*this, TermId(inner.a), TermId(inner.c))) {
+    return Ite(condition, TermId(inner.c), otherwise);
   }
   if (Width(then) == 1) {
     if (then == condition || IsTrue(then)) return Or(condition, otherwise);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "transpiler/symbolic/terms/division.h"
+#include "transpiler/symbolic/terms/magnitude.h"
 
 namespace plcxx::terms {
 
@@ -227,6 +228,14 @@ TermId Terms::Sub(TermId a, TermId b) {
   if (a == b) return Const(0, Width(a));
   // One spelling of x - c, which compilers write as x + (-c).
   if (IsConst(b)) return Add(a, Const(uint64_t{0} - Value(b), Width(b)));
+  if (const Term negated = terms_[b.index]; IsZero(a)) {
+    if (negated.kind == TermKind::kSub && IsZero(TermId(negated.a))) return TermId(negated.b);
+    // A magnitude: its two branches change places.
+    if (const TermId one(negated.b), other(negated.c);
+        negated.kind == TermKind::kIte && (IsNegOf(*this, one, other) || IsNegOf(*this, other, one))) {
+      return Ite(TermId(negated.a), other, one);
+    }
+  }
   if (const TermId choice = OfChoice(TermKind::kSub, a, b); choice.valid()) return choice;
   return Binary(TermKind::kSub, a, b, Width(a));
 }
