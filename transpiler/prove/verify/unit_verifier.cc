@@ -23,8 +23,10 @@ constexpr uint32_t kMostRounds = 512;   // of one loop; of init, where nothing i
 constexpr uint32_t kFewRounds = 8;      // where calls are replaced in order, and loops are not by heads
 constexpr uint32_t kMostUnrolled = 32;  // where that is tried after all else
 constexpr uint32_t kMostRoundsOfInit = 4096;
-constexpr uint32_t kBranchMs = 200;         // for a question about the ways to calls
-constexpr uint32_t kQuickShare = 10;        // of the time
+constexpr uint32_t kBranchMs = 200;   // for a question about the ways to calls
+constexpr uint32_t kQuickShare = 10;  // of the time
+constexpr uint32_t kMostQuickMs = 400;
+constexpr uint32_t kGlanceMs = 1000;        // for each of two ways to look at what is left
 constexpr uint32_t kMostTerms = 4'000'000;  // of one side
 
 }  // namespace
@@ -340,7 +342,7 @@ std::vector<solver::Verdict> UnitVerifier::Compare(solver::Solver& solver, std::
   }
   // Most are decided soon as they are. What is left has been rewritten more: both sides are made alike first.
   solver::SweepLimits quick = sweep;
-  quick.total_ms = sweep.total_ms / kQuickShare;
+  quick.total_ms = std::min<uint64_t>(sweep.total_ms / kQuickShare, kMostQuickMs);
   quick.pair_ms = sweep.pair_ms / kQuickShare;
   quick.progress = {};
   std::vector<solver::Verdict> verdicts = solver::Compare(terms_, solver, pairs, quick);
@@ -352,8 +354,9 @@ std::vector<solver::Verdict> UnitVerifier::Compare(solver::Solver& solver, std::
   if (open.empty()) return verdicts;
   std::vector<solver::TermPair> rest;
   for (const size_t i : open) rest.push_back(pairs[i]);
-  rest = MakeAlike(terms_, solver, rest, deadline_.RestMs() / 2, *program_.answered);
-  sweep.total_ms = deadline_.RestMs();
+  const uint64_t most_ms = treatment_.is_glance ? kGlanceMs : deadline_.RestMs();
+  rest = MakeAlike(terms_, solver, rest, std::min(deadline_.RestMs() / 2, most_ms), *program_.answered);
+  sweep.total_ms = std::min(deadline_.RestMs(), most_ms);
   const std::vector<solver::Verdict> later = solver::Compare(terms_, solver, rest, sweep);
   for (size_t k = 0; k < open.size(); ++k) verdicts[open[k]] = later[k];
   return verdicts;

@@ -33,6 +33,7 @@ struct Treatment {
   Callees callees{};
   Loops loops{};
   DroppedGuesses dropped;
+  bool is_glance = false;  // only what is seen soon
 };
 
 class UnitVerifier {

@@ -108,8 +108,9 @@ Verification::Try Verification::RunInStep(const Unit& unit, const ArgumentCase& 
     tried.has_loops = verifier.has_loops();
     if (i == 0 && tried.has_loops && tried.proof.result != ProofResult::kProved) {
       // Before guesses are looked for that would not help: the first rounds may differ.
-      Try first =
-          RunOnce(unit, given, {.callees = Callees::kFollowed, .loops = Loops::kFirstRounds, .dropped = {}}, deadline);
+      Try first = RunOnce(
+          unit, given, {.callees = Callees::kFollowed, .loops = Loops::kFirstRounds, .dropped = {}, .is_glance = true},
+          deadline);
       if (first.proof.result == ProofResult::kDifferent) return first;
     }
     for (const std::string& guess : verifier.refuted()) ++treatment.dropped[guess];
