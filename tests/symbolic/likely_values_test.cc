@@ -41,11 +41,21 @@ TEST(LikelyValues, FunctionsStayFunctions) {
   likely.NoteComparisons(cone);
   int asked_for = 0;
   for (uint64_t made_up = 0; made_up < 64; ++made_up) {
-    const uint64_t value = likely.ResultOf(terms[applied], made_up);
-    EXPECT_EQ(likely.ResultOf(terms[applied], made_up), value);
+    const uint64_t value = likely.ResultOf(0, terms[applied], made_up);
+    EXPECT_EQ(likely.ResultOf(0, terms[applied], made_up), value);
     asked_for += value == 1234 ? 1 : 0;
   }
   EXPECT_EQ(asked_for, 32);
+}
+
+/// Two of them are compared, too: in some vectors most are equal.
+TEST(LikelyValues, ResultsAreEqualInSomeVectors) {
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 8);
+  const terms::TermId applied = terms.Apply(terms.Function("f", 16), {&x, 1});
+  const terms::LikelyValues likely(terms);
+  for (uint64_t made_up = 0; made_up < 0x10000; made_up += 77)
+    EXPECT_LE(likely.ResultOf(3, terms[applied], made_up), 1U);
 }
 
 /// Counts what it is asked; knows nothing.

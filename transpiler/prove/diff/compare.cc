@@ -16,6 +16,8 @@ constexpr size_t kMostReached = 2000;  // pairs
 // Of the time, and no more than: for what proves all equal at once, when there is nothing else to be found out.
 constexpr uint64_t kFirstRoundShare = 12, kFirstRoundMs = 2000;
 constexpr uint64_t kRoundOfManyShare = 20, kInductionOfManyShare = 4;  // of the time
+// For what is guessed and proved soon. A question takes as long as it takes: of a short time a larger share.
+constexpr uint64_t kInvariantsShare = 40, kRelationsShare = 16, kLargestShare = 8, kEnoughMs = 1000;
 
 /// By some host function.
 bool MayBeSeen(const machine::Version& version, execute::CellId id) {
@@ -388,19 +390,24 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
   };
   const auto try_relations = [&] {
     SeparateUndecided(comparison);
-    comparison.relations = GuessRelations(comparison);
-    if (comparison.relations.empty()) return;
-    comparison.Report("relations");
-    try_reachable();
-    invariants = constants + static_cast<uint32_t>(comparison.InvariantCount());
+    for (std::vector<Relation>& relations : GuessRelations(comparison)) {
+      comparison.relations = std::move(relations);
+      comparison.Report("relations");
+      try_reachable();
+      invariants = constants + static_cast<uint32_t>(comparison.InvariantCount());
+      if (!is_tried()) return;
+    }
   };
   if (is_tried()) {
     ProveWithRenamed(comparison);
     SeparateUndecided(comparison);
   }
   // Those that are found soon; where many are guessed, runs are the better use of the time, and come first.
-  comparison.round_ms = limits.total_ms / 16;
-  if (is_tried()) try_invariants(limits.total_ms / 40);
+  const auto soon_ms = [&limits](uint64_t share) {
+    return std::max(limits.total_ms / share, std::min(limits.total_ms / kLargestShare, kEnoughMs));
+  };
+  comparison.round_ms = soon_ms(kRelationsShare);
+  if (is_tried()) try_invariants(soon_ms(kInvariantsShare));
   if (is_tried()) try_relations();
   comparison.round_ms = limits.total_ms / 4;
   const uint32_t undecided = comparison.UndecidedCount();

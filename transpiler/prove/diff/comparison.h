@@ -14,6 +14,7 @@
 #include "transpiler/prove/invariants/invariants.h"
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/prove/machine/transition.h"
+#include "transpiler/symbolic/solver/bit_solver.h"
 #include "transpiler/symbolic/solver/refuted.h"
 #include "transpiler/symbolic/solver/sweep.h"
 
@@ -60,7 +61,8 @@ struct Comparison {
   uint64_t execution_ms = 0;               // that the last execution of a part took
   std::vector<Execution> executions;       // the last ones with these constants, newest first
   std::unique_ptr<invariants::InvariantFinder> old_finder, new_finder;
-  std::vector<Relation> relations;  // part of the inductive set, as the pairs that are equal are
+  std::vector<Relation> relations;          // part of the inductive set, as the pairs that are equal are
+  std::unique_ptr<solver::BitSolver> bits;  // for questions about all of them; made with the first one
   std::chrono::steady_clock::time_point deadline;
   std::function<void()> before_questions;  // called once, before the solver is asked anything
 
@@ -79,7 +81,9 @@ struct Comparison {
   size_t InvariantCount() const {
     return relations.size() + (old_finder ? old_finder->invariants().size() + new_finder->invariants().size() : 0);
   }
-  /// The solver assumes what is known, over the pairing's variables, until its Pop.
+  /// What is known, over the pairing's variables.
+  std::vector<terms::TermId> KnownConditions(Known known);
+  /// The solver assumes it until its Pop.
   void PushInvariants(Known known = Known::kInvariantsAndRelations);
 
   terms::TermId NextOld(execute::CellId cell);
@@ -94,6 +98,10 @@ struct Question {
 /// Under what is known.
 std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions,
                                      Known known = Known::kInvariantsAndRelations);
+/// Drops the relations of which it is not proved that they hold after power-on, or a part; gives their number. `next`:
+/// what a cell becomes.
+uint32_t DropFailingRelations(Comparison& comparison, Known known,
+                              const std::function<terms::TermId(Which which, execute::CellId cell)>& next);
 /// What host functions see in the middle of a part, of old_next and new_next. A function that is called otherwise is a
 /// difference of its calls, and nothing else is said of what it sees: `calls_are_equal` is asked about its old cell.
 void AddObservations(Comparison& comparison, const std::function<bool(execute::CellId calls)>& calls_are_equal,

@@ -106,21 +106,27 @@ std::vector<execute::CellId> SupportOfUndecided(Comparison& comparison, Which wh
 
 }  // namespace
 
-void Comparison::PushInvariants(Known known) {
-  solver->Push();
+std::vector<terms::TermId> Comparison::KnownConditions(Known known) {
+  std::vector<terms::TermId> conditions;
   for (const Which which : {Which::kOld, Which::kNew}) {
     const std::unique_ptr<invariants::InvariantFinder>& finder = which == Which::kOld ? old_finder : new_finder;
     if (!finder) continue;
     for (const invariants::Invariant& invariant : finder->invariants()) {
       const auto value = [&](execute::CellId cell) { return pairing.Initial(which, cell); };
-      solver->Assume(invariants::ConditionOf(terms, invariant, value));
+      conditions.push_back(invariants::ConditionOf(terms, invariant, value));
     }
   }
-  if (known == Known::kInvariants) return;
+  if (known == Known::kInvariants) return conditions;
   for (const Relation& relation : relations) {
-    solver->Assume(
+    conditions.push_back(
         ConditionOf(terms, relation, [&](Which which, execute::CellId cell) { return pairing.Initial(which, cell); }));
   }
+  return conditions;
+}
+
+void Comparison::PushInvariants(Known known) {
+  solver->Push();
+  for (const terms::TermId condition : KnownConditions(known)) solver->Assume(condition);
 }
 
 std::vector<solver::Verdict> Answers(Comparison& comparison, std::span<const Question> questions, Known known) {
@@ -318,25 +324,6 @@ bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated) {
 }
 
 namespace {
-
-/// Drops the relations of which it is not proved that they hold after power-on, or a part; gives their number.
-uint32_t DropFailingRelations(Comparison& comparison, Known known,
-                              const std::function<terms::TermId(Which which, execute::CellId cell)>& next) {
-  std::vector<Question> questions;
-  std::vector<size_t> asked;
-  for (size_t i = 0; i < comparison.relations.size(); ++i) {
-    const terms::TermId holds = ConditionOf(comparison.terms, comparison.relations[i], next);
-    if (comparison.terms.IsTrue(holds)) continue;
-    questions.push_back({{holds, comparison.terms.Bit(true)}, 0});
-    asked.push_back(i);
-  }
-  if (questions.empty()) return 0;
-  const std::vector<solver::Verdict> verdicts = Answers(comparison, questions, known);
-  std::vector<bool> fails(comparison.relations.size());
-  for (size_t i = 0; i < asked.size(); ++i) fails[asked[i]] = verdicts[i] != solver::Verdict::kEqual;
-  size_t at = 0;
-  return static_cast<uint32_t>(std::erase_if(comparison.relations, [&](const Relation&) { return fails[at++]; }));
-}
 
 /// Relations are about memory that power-off clears, so power-on makes them hold, whatever was before.
 bool DropRelationsAtPowerOn(Comparison& comparison, uint32_t& dropped) {

@@ -109,6 +109,7 @@ struct Seen {
   Number number;
   std::vector<VariablePart> parts;  // from the most significant down
   std::vector<uint64_t> values;     // by state
+  bool is_same = false;             // as its counterpart in the other version, in each of them
   std::set<uint64_t> different;     // two at most, where one is asked about
 };
 
@@ -117,7 +118,9 @@ class Observed {
   explicit Observed(Comparison& comparison) : comparison_(comparison), run_(comparison) {}
 
   bool Run();
-  std::vector<Relation> Relations() const;
+  /// Without what was always the same in both, or with it.
+  std::vector<Relation> Relations(bool with_same) const;
+  bool HasSame() const { return std::ranges::any_of(old_, &Seen::is_same); }
 
  private:
   void AddNumbers();
@@ -125,6 +128,7 @@ class Observed {
   /// From where it is.
   void RunOn(terms::Random& random, uint64_t one_in, size_t periods);
 
+  void MarkSame();
   static bool Holds(const std::vector<uint32_t>& states, const Seen& a, const Seen& b, uint64_t factor,
                     uint64_t constant);
   static std::optional<Relation> LinearOf(const std::vector<uint32_t>& states, const Seen& a, const Seen& b);
@@ -143,6 +147,14 @@ void Observed::AddNumbers() {
   const OpenCells open(comparison_);
   for (const Which which : {Which::kOld, Which::kNew}) {
     for (Number& number : open.NumbersOf(which)) {
+      // The high digits of a small number are always 0.
+      const auto is_zero = [&](execute::CellId cell) {
+        return comparison_.terms.IsZero(comparison_.pairing.Initial(which, cell));
+      };
+      while (number.cells.size() > 1 && is_zero(number.cells.front())) {
+        number.cells.erase(number.cells.begin());
+        --number.width;
+      }
       Seen seen{.number = std::move(number), .parts = {}, .values = {}, .different = {}};
       for (const execute::CellId cell : seen.number.cells) {
         const std::optional<VariablePart> part = run_.PartOf(which, cell);
@@ -229,7 +241,18 @@ bool Observed::Run() {
     // What is always the same is an invariant of its version.
     std::erase_if(*side, [](const Seen& seen) { return seen.different.size() < 2; });
   }
+  MarkSame();
   return true;
+}
+
+void Observed::MarkSame() {
+  for (Seen& seen : old_) {
+    Number counterpart = seen.number;
+    counterpart.which = Which::kNew;
+    for (execute::CellId& cell : counterpart.cells) cell = comparison_.match.new_of_old[cell.index];
+    const auto other = std::ranges::find(new_, counterpart, &Seen::number);
+    if (other != new_.end() && other->values == seen.values) seen.is_same = other->is_same = true;
+  }
 }
 
 bool Observed::Holds(const std::vector<uint32_t>& states, const Seen& a, const Seen& b, uint64_t factor,
@@ -322,7 +345,7 @@ void Observed::AddComparisons(const std::vector<uint32_t>& states, const Seen& b
   }
 }
 
-std::vector<Relation> Observed::Relations() const {
+std::vector<Relation> Observed::Relations(bool with_same) const {
   std::vector<uint32_t> all(states_);
   for (uint32_t i = 0; i < states_; ++i) all[i] = i;
   // Whose states, and which relation is said of them.
@@ -348,6 +371,7 @@ std::vector<Relation> Observed::Relations() const {
   for (const Seen& a : old_) {
     for (const Seen& b : new_) {
       if (comparison_.Late()) return {};
+      if (!with_same && (a.is_same || b.is_same)) continue;
       const bool are_bits = a.number.width == 1 && b.number.width == 1;
       if (are_bits) {
         std::optional<Relation> among = AmongOf(all, a, b);
@@ -383,10 +407,13 @@ std::vector<Relation> Observed::Relations() const {
 
 }  // namespace
 
-std::vector<Relation> GuessRelations(Comparison& comparison) {
+std::vector<std::vector<Relation>> GuessRelations(Comparison& comparison) {
   Observed observed(comparison);
   if (!observed.Run()) return {};
-  return observed.Relations();
+  std::vector<std::vector<Relation>> sets{observed.Relations(false)};
+  if (observed.HasSame()) sets.push_back(observed.Relations(true));
+  std::erase_if(sets, [](const std::vector<Relation>& set) { return set.empty(); });
+  return sets;
 }
 
 }  // namespace plcxx::prove::diff

@@ -12,7 +12,8 @@
 
 namespace plcxx::prove::diff {
 
-/// None where a part cannot be executed in time.
-std::vector<Relation> GuessRelations(Comparison& comparison);
+/// Sets to be tried one after the other: the first one without numbers that were the same in both versions all the
+/// time, for these may become equal pairs by what is said of the others. None where a part cannot be executed in time.
+std::vector<std::vector<Relation>> GuessRelations(Comparison& comparison);
 
 }  // namespace plcxx::prove::diff

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "transpiler/ir/op.h"
 #include "transpiler/support/low_bits.h"
@@ -9,9 +10,10 @@
 namespace plcxx::prove::invariants {
 namespace {
 
-constexpr uint8_t kAlwaysZero = 1, kAlwaysOne = 8;  // of a bit with itself
-constexpr size_t kMostValues = 12;                  // of a byte or field that is said to take few
-constexpr size_t kMostWhile = 3;                    // of those, while a bit is set or not
+constexpr uint8_t kAlwaysZero = 1, kAlwaysOne = 8;    // of a bit with itself
+constexpr uint8_t kAlike = 1 | 8, kOpposite = 2 | 4;  // of two bits
+constexpr size_t kMostValues = 12;                    // of a byte or field that is said to take few
+constexpr size_t kMostWhile = 3;                      // of those, while a bit is set or not
 constexpr uint64_t kMostNumbered = 255;  // by which steps and states are counted; a time takes many more values
 constexpr size_t kMostLimits = 6;        // that a number is guessed to stay below
 constexpr size_t kMostLimitsWhile = 16;  // of one number
@@ -107,11 +109,18 @@ void Candidates::AddBits(std::vector<Invariant>& guesses) const {
       guesses.push_back({.cells = {bits_[i]}, .values = {own == kAlwaysZero ? uint64_t{0} : uint64_t{1}}});
       continue;
     }
+    bool is_said = false;  // that it is the same as another one, or the opposite
     for (size_t j = i + 1; j < bits_.size(); ++j) {
       const uint8_t other = seen_pairs_[j * bits_.size() + j];
       if (other == kAlwaysZero || other == kAlwaysOne) continue;
+      const uint8_t both = seen_pairs_[i * bits_.size() + j];
+      // Asked alone, before all others; a chain of them says it of all that are alike.
+      if ((both == kAlike || both == kOpposite) && !std::exchange(is_said, true)) {
+        guesses.push_back({.cells = {bits_[i], bits_[j]},
+                           .values = both == kAlike ? std::vector<uint64_t>{0, 3} : std::vector<uint64_t>{1, 2}});
+      }
       for (uint64_t combination = 0; combination < 4; ++combination) {
-        if ((seen_pairs_[i * bits_.size() + j] >> combination & 1) != 0) continue;
+        if ((both >> combination & 1) != 0) continue;
         guesses.push_back({.cells = {bits_[i], bits_[j]}, .values = {combination}, .kind = Invariant::Kind::kNoneOf});
       }
     }

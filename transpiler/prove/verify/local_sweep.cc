@@ -121,7 +121,7 @@ void LocalSweep::SimulateOnce(int vector) {
     uint64_t value = terms::EvaluateTerm(
         terms_, term, [this](terms::TermId operand) { return values_[operand.index]; },
         [&](uint32_t) { return likely_.Of(vector, id); });
-    if (term.kind == terms::TermKind::kApply) value = likely_.ResultOf(term, value);
+    if (term.kind == terms::TermKind::kApply) value = likely_.ResultOf(vector, term, value);
     values_[id.index] = value;
     uint64_t& signature = signatures_[id.index];
     signature = (signature ^ value) * 0x9E3779B97F4A7C15;

@@ -120,7 +120,7 @@ Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, uin
     const terms::TermId number = terms_.Const(round, kRoundWidth);
     if (samples != nullptr && samples->size() < kMostSamples)
       samples->push_back({terms_.And(Absolute(), terms_.Not(policy->left_out)), memory_.values()});
-    flow_.active = ExecuteRound(id, loop, number, done, most_unknown != 0 ? &rewritten : nullptr);
+    flow_.active = ExecuteRound(id, loop, number, done, policy == nullptr ? &rewritten : nullptr);
   }
   if (refusal_.empty()) {
     flow_.active = flow_.leaving.empty() ? before : terms_.Or(done, flow_.active);
@@ -174,6 +174,7 @@ void Executor::ExecuteSummary(ir::InstId id) {
 
 std::map<CellId, terms::TermId> Executor::WriteKnown(terms::TermId when, const std::set<CellId>& cells) {
   std::map<CellId, terms::TermId> written;
+  if (terms_.IsTrue(when) || cells.empty()) return written;
   KnownHere known(terms_, when);
   for (const CellId cell : cells) {
     const terms::TermId before = memory_.Read(cell);
@@ -186,11 +187,30 @@ std::map<CellId, terms::TermId> Executor::WriteKnown(terms::TermId when, const s
   return written;
 }
 
+void Executor::ExecuteKnowing(ir::RegionId region, std::set<CellId>* rewritten) {
+  if (rewritten == nullptr) {
+    ExecuteRegion(region);
+    return;
+  }
+  const terms::TermId when = flow_.active;
+  memory_.BeginChanges();
+  const std::map<CellId, terms::TermId> known = WriteKnown(when, *rewritten);
+  ExecuteRegion(region);
+  for (const Memory::Change& change : memory_.TakeChanges()) {
+    const auto at = known.find(change.cell);
+    if (at != known.end() && at->second == change.value) continue;
+    rewritten->insert(change.cell);
+    // What is known is so where the region is executed, and nowhere else.
+    memory_.Write(change.cell,
+                  at == known.end() ? change.value : terms_.Ite(when, change.value, memory_.Read(change.cell)));
+  }
+}
+
 terms::TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, terms::TermId number, terms::TermId& done,
                                      std::set<CellId>* rewritten) {
   const auto finish = [&](terms::TermId when) { done = terms_.Or(done, when); };
   if (loop.condition.valid()) {
-    ExecuteRegion(loop.condition);
+    ExecuteKnowing(loop.condition, rewritten);
     finish(TakeLeaving(id, false));
     if (terms_.IsFalse(flow_.active)) return flow_.active;
     const terms::TermId condition = ValueOf(program_.regions[loop.condition].insts.back().index);
@@ -243,7 +263,7 @@ terms::TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, terms:
   }
   if (loop.step.valid() && !terms_.IsFalse(through)) {
     flow_.active = through;
-    ExecuteRegion(loop.step);
+    ExecuteKnowing(loop.step, rewritten);
   }
   return terms_.Or(next, through);
 }

@@ -88,6 +88,8 @@ class Executor {
   /// `rewritten`: cells that earlier rounds wrote, and then this one; none: nobody asks what is known of them.
   terms::TermId ExecuteRound(ir::InstId id, const ir::Loop& loop, terms::TermId number, terms::TermId& done,
                              std::set<CellId>* rewritten = nullptr);
+  /// The condition or the step of a loop, with what is known where it is executed.
+  void ExecuteKnowing(ir::RegionId region, std::set<CellId>* rewritten);
   /// Begins an arm with what is known of cells where it is executed; gives what was written.
   std::map<CellId, terms::TermId> WriteKnown(terms::TermId when, const std::set<CellId>& cells);
   /// When execution comes to this point of the routine; known with a policy for loops, or somebody who knows what never

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/evaluate.h"
@@ -100,7 +102,7 @@ void Sweeper::EvaluateLikelyVector(int vector, terms::LikelyValues& likely) {
     const uint64_t value = terms::EvaluateTerm(
         terms_, term, [this](terms::TermId operand) { return values_[operand.index]; },
         [&](uint32_t) { return likely.Of(vector, id); });
-    AddToSignature(id, term.kind == terms::TermKind::kApply ? likely.ResultOf(term, value) : value);
+    AddToSignature(id, term.kind == terms::TermKind::kApply ? likely.ResultOf(vector, term, value) : value);
   }
 }
 
@@ -140,14 +142,36 @@ bool Sweeper::Simulate() {
 void Sweeper::Refine(terms::TermId one, terms::TermId other, size_t most_terms) {
   if (cone_.size() > most_terms) return;
   // What the question did not depend on may be anything.
-  std::unordered_map<uint32_t, uint64_t> known;  // by variable; looked up only
+  std::unordered_map<uint32_t, uint64_t> known;                           // by variable; looked up only
+  std::map<std::pair<uint32_t, std::vector<uint64_t>>, uint64_t> result;  // of a function, by its arguments
+  const auto has_no_meaning = [this](const terms::Term& term) {
+    return term.kind == terms::TermKind::kApply && terms_.Info(terms::FunctionId(term.a)).evaluate == nullptr;
+  };
   for (const terms::TermId id : terms::ConeOf(terms_, std::array{one, other})) {
-    if (terms_[id].kind == terms::TermKind::kVariable) known.emplace(terms_[id].a, solver_.ValueOf(id));
+    const terms::Term& term = terms_[id];
+    if (term.kind == terms::TermKind::kVariable) known.emplace(term.a, solver_.ValueOf(id));
+    if (!has_no_meaning(term)) continue;
+    std::vector<uint64_t> arguments;
+    for (const terms::TermId argument : terms_.Arguments(term)) arguments.push_back(solver_.ValueOf(argument));
+    result.emplace(std::pair(term.a, std::move(arguments)), solver_.ValueOf(id));
   }
-  EvaluateVector([&](uint32_t number, uint8_t width) {
+  const auto variable = [&](uint32_t number, uint8_t width) {
     const auto at = known.find(number);
     return at != known.end() ? at->second : width == 1 ? random_.Next() & 1 : random_.Next();
-  });
+  };
+  for (const terms::TermId id : cone_) {
+    const terms::Term& term = terms_[id];
+    uint64_t value = terms::EvaluateTerm(
+        terms_, term, [this](terms::TermId operand) { return values_[operand.index]; },
+        [&](uint32_t number) { return variable(number, term.width); });
+    if (!result.empty() && has_no_meaning(term)) {
+      std::vector<uint64_t> arguments;
+      for (const terms::TermId argument : terms_.Arguments(term)) arguments.push_back(values_[argument.index]);
+      const auto at = result.find(std::pair(term.a, std::move(arguments)));
+      if (at != result.end()) value = at->second;
+    }
+    AddToSignature(id, value);
+  }
 }
 
 Answer Sweeper::Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds) {

@@ -78,7 +78,11 @@ uint64_t LikelyValues::Of(int vector, TermId variable) {
   return own->second[(random >> 1) % own->second.size()];
 }
 
-uint64_t LikelyValues::ResultOf(const Term& application, uint64_t made_up) const {
+uint64_t LikelyValues::ResultOf(int vector, const Term& application, uint64_t made_up) const {
+  constexpr uint8_t kLeastWidth = 8;
+  const bool has_meaning = terms_.Info(FunctionId(application.a)).evaluate != nullptr;
+  // Two results, as inputs that the host answers, are hardly ever equal else.
+  if (vector % 4 == 3 && !has_meaning && application.width >= kLeastWidth) return made_up >> 7 & 1;
   const auto own = results_.find(application.a);
   if ((made_up & 1) == 0 || own == results_.end()) return made_up;
   return Masked(own->second[(made_up >> 1) % own->second.size()], application.width);

@@ -31,7 +31,7 @@ class LikelyValues {
   uint64_t Of(int vector, TermId variable);
   /// What a function gives instead of the value that was made up for it, the same for the same one: any function will
   /// do, if equal arguments give equal results.
-  uint64_t ResultOf(const Term& application, uint64_t made_up) const;
+  uint64_t ResultOf(int vector, const Term& application, uint64_t made_up) const;
 
  private:
   uint64_t Any(int vector, uint8_t width);
