@@ -54,10 +54,10 @@ class TreeText {
     return " " + found.path + ":" + std::to_string(place - found.base);
   }
   std::string At(source::Range range) const { return At(range.begin) + " to" + At(range.end); }
-  template <class IdType>
-  static std::string Ids(const std::vector<IdType>& ids) {
+  template <class List>
+  static std::string Ids(const List& ids) {
     std::string text = " (";
-    for (const IdType id : ids) text += std::to_string(id.index) + " ";
+    for (const auto id : ids) text += std::to_string(id.index) + " ";
     return text + ")";
   }
 
