@@ -85,7 +85,8 @@ TEST(ProstepErrors, OperandLines) {
   EXPECT_THAT(InModuleErrors(":SP T 1"), ElementsAre("2:2 E09"));
   EXPECT_THAT(InModuleErrors(":SP T 1\n:NOP\n:K 5"), ElementsAre("2:2 E09", "4:2 E09"));
   EXPECT_THAT(InModuleErrors(":SP T 1\nX:\n:K 5\n:JU X"), ElementsAre("2:2 E09")) << "missing, then found";
-  EXPECT_THAT(InModuleErrors(":L DB 1\n:K 5\n:ID 4"), ElementsAre("3:2 E09", "4:2 E09"));
+  EXPECT_THAT(InModuleErrors(":L DB 1\n:K 5\n:ID 4"), ElementsAre("3:2 E09")) << "one mistake";
+  EXPECT_THAT(InModuleErrors(":L DB 1\n:K 5\n:T DB 2\n:ID 4"), ElementsAre("3:2 E09", "5:2 E09"));
   EXPECT_THAT(InModuleErrors(":JU FM 0\n:K 1\n:K 2"), ElementsAre("2:2 E09"));
   EXPECT_THAT(InModuleErrors(":JU FM 64\n:DB 1"), ElementsAre("2:2 E09"));
   EXPECT_THAT(InModuleErrors(":JU FM 4\n:DB 1"), ElementsAre("3:2 E09"));
