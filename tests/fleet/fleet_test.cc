@@ -69,6 +69,19 @@ TEST_P(WidthTest, EachLaneIsAMachine) {
   }
 }
 
+/// It would end with an instruction that the processor does not have.
+TEST(Fleet, WhatThisProcessorCannotExecuteIsNotCompiled) {
+  const compilation::Compilation compiled = Compiled("machine.plc", kProgram);
+  ASSERT_TRUE(compiled.ok());
+  const unsigned too_wide = 2 * WidestFleet();
+  const LibraryOrFailure built = CompileFleet(
+      compiled.program,
+      {.compiler = engines::FindCompiler(), .level = "1", .lanes = too_wide, .forces = false, .cache = {}});
+  ASSERT_TRUE(std::holds_alternative<std::string>(built));
+  EXPECT_EQ(std::get<std::string>(built), TooWide(too_wide));
+  EXPECT_EQ(TooWide(WidestFleet()), "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Fleet, WidthTest, testing::Values(64u, 256u, 512u));
 
 /// Timers that all lanes step together: short and long ones, held, driven twice, in the fast part and in

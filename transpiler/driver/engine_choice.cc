@@ -73,9 +73,8 @@ class Choice {
     if (word.name == "fleet256") lanes = 256;
     if (word.name == "fleet512") lanes = 512;
     if (lanes == 0 && word.name != "fleet") return PrintUnknown(word.name);
-    if (lanes > fleet::WidestFleet()) {
-      PrintUsageError("'--engine " + std::string(word.name) + "': this processor has fleets of up to " +
-                      std::to_string(fleet::WidestFleet()) + " machines");
+    if (const std::string reason = fleet::TooWide(lanes); !reason.empty()) {
+      PrintUsageError("'--engine " + std::string(word.name) + "': " + reason);
       return false;
     }
     const std::optional<std::string> compiler = CompilerOf("fleet", compiler_);

@@ -97,7 +97,13 @@ unsigned WidestFleet() {
   return 64;
 }
 
+std::string TooWide(unsigned lanes) {
+  if (lanes <= WidestFleet()) return {};
+  return "this processor has fleets of up to " + std::to_string(WidestFleet()) + " machines";
+}
+
 LibraryOrFailure CompileFleet(const ir::Program& program, const LibraryRequest& request) {
+  if (std::string reason = TooWide(request.lanes); !reason.empty()) return reason;
   auto library = std::make_shared<Library>();
   library->program = &program;
   const ir::Program specialized = Specialize(program);

@@ -19,6 +19,8 @@ namespace plcxx::fleet {
 
 /// How many machines an instruction of this processor serves: 512 with AVX-512, 256 with AVX2, else 64.
 unsigned WidestFleet();
+/// Why this processor has no fleet of so many machines; empty: it has one.
+std::string TooWide(unsigned lanes);
 
 struct LibraryRequest {
   std::string compiler;     // a command
@@ -55,7 +57,7 @@ struct Library {
 
 using LibraryOrFailure = std::variant<std::shared_ptr<const Library>, std::string>;
 
-/// `program` must be structured and outlive the result.
+/// `program` must be structured and outlive the result. What this processor cannot execute is not compiled.
 LibraryOrFailure CompileFleet(const ir::Program& program, const LibraryRequest& request);
 
 }  // namespace plcxx::fleet
