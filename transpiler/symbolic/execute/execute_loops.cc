@@ -187,6 +187,15 @@ std::map<CellId, terms::TermId> Executor::WriteKnown(terms::TermId when, const s
   return written;
 }
 
+void Executor::NoteRewritten(std::vector<Memory::Change>& changes, const std::map<CellId, terms::TermId>& known,
+                             std::set<CellId>& rewritten) {
+  std::erase_if(changes, [&](const Memory::Change& change) {
+    const auto at = known.find(change.cell);
+    return at != known.end() && at->second == change.value;
+  });
+  for (const Memory::Change& change : changes) rewritten.insert(change.cell);
+}
+
 void Executor::ExecuteKnowing(ir::RegionId region, std::set<CellId>* rewritten) {
   if (rewritten == nullptr) {
     ExecuteRegion(region);
@@ -196,13 +205,12 @@ void Executor::ExecuteKnowing(ir::RegionId region, std::set<CellId>* rewritten) 
   memory_.BeginChanges();
   const std::map<CellId, terms::TermId> known = WriteKnown(when, *rewritten);
   ExecuteRegion(region);
-  for (const Memory::Change& change : memory_.TakeChanges()) {
-    const auto at = known.find(change.cell);
-    if (at != known.end() && at->second == change.value) continue;
-    rewritten->insert(change.cell);
+  std::vector<Memory::Change> changes = memory_.TakeChanges();
+  NoteRewritten(changes, known, *rewritten);
+  for (const Memory::Change& change : changes) {
     // What is known is so where the region is executed, and nowhere else.
-    memory_.Write(change.cell,
-                  at == known.end() ? change.value : terms_.Ite(when, change.value, memory_.Read(change.cell)));
+    memory_.Write(change.cell, known.contains(change.cell) ? terms_.Ite(when, change.value, memory_.Read(change.cell))
+                                                           : change.value);
   }
 }
 
@@ -239,13 +247,7 @@ terms::TermId Executor::ExecuteRound(ir::InstId id, const ir::Loop& loop, terms:
       if (rewritten != nullptr) known = WriteKnown(when, *rewritten);
       ExecuteRegion(region);
     }));
-    std::erase_if(arms.back().changes, [&](const Memory::Change& change) {
-      const auto at = known.find(change.cell);
-      return at != known.end() && at->second == change.value;
-    });
-    if (rewritten != nullptr) {
-      for (const Memory::Change& change : arms.back().changes) rewritten->insert(change.cell);
-    }
+    if (rewritten != nullptr) NoteRewritten(arms.back().changes, known, *rewritten);
     const terms::TermId fell_through = std::exchange(arms.back().flow.active, terms_.Bit(true));
     return terms_.And(when, fell_through);
   };

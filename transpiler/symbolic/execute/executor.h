@@ -92,6 +92,9 @@ class Executor {
   void ExecuteKnowing(ir::RegionId region, std::set<CellId>* rewritten);
   /// Begins an arm with what is known of cells where it is executed; gives what was written.
   std::map<CellId, terms::TermId> WriteKnown(terms::TermId when, const std::set<CellId>& cells);
+  /// Takes the changes away that only say what was known; the cells of the others are rewritten.
+  static void NoteRewritten(std::vector<Memory::Change>& changes, const std::map<CellId, terms::TermId>& known,
+                            std::set<CellId>& rewritten);
   /// When execution comes to this point of the routine; known with a policy for loops, or somebody who knows what never
   /// holds.
   terms::TermId Absolute() { return terms_.And(context_, flow_.active); }
