@@ -204,6 +204,37 @@ TEST(Engine, NotesAreBelowWarnings) {
   EXPECT_TRUE(without.all().empty());
 }
 
+TEST(Engine, AForkReportsOnItsOwnUntilItIsJoined) {
+  Engine engine({.all_errors = false, .errors = {"W8"}});
+  engine.Report({1, 2}, kOdd);
+  Engine fork = engine.Fork();
+  EXPECT_EQ(fork.warning_count(), 1u);
+  engine.Report({3, 4}, kOdd);
+  fork.Report({1, 2}, kOdd);  // known to both
+  fork.Report({3, 4}, kOdd);  // the same again
+  fork.Report({5, 6}, kOther).notes.push_back({{7, 8}, "because of this"});
+  fork.Report({5, 6}, kRare);  // off
+  EXPECT_FALSE(engine.HasErrors());
+  engine.Join(std::move(fork));
+  EXPECT_THAT(Texts(engine), ElementsAre("this is odd", "this is odd", "this is other"));
+  EXPECT_EQ(engine.all().back().notes.size(), 1u);
+  EXPECT_EQ(engine.error_count(), 1u);
+  EXPECT_EQ(engine.warning_count(), 2u);
+  engine.Report({5, 6}, kOther);
+  EXPECT_EQ(engine.all().size(), 3u);
+}
+
+TEST(Engine, WhatAForkHasOnlyCountedIsCounted) {
+  Engine engine;
+  for (uint32_t i = 0; i < Engine::kMostKept - 1; ++i) engine.Report({i, i + 1}, kOdd);
+  Engine fork = engine.Fork();
+  for (uint32_t i = 0; i < 3; ++i) fork.Report({100'000 + i, 100'000 + i}, kOdd);  // of which it keeps one
+  engine.Report({200'000, 200'000}, kOdd);
+  engine.Join(std::move(fork));
+  EXPECT_EQ(engine.all().size(), Engine::kMostKept);
+  EXPECT_EQ(engine.warning_count(), Engine::kMostKept + 3);
+}
+
 TEST(Engine, WithoutErrorsNothingIsDropped) {
   Engine engine;
   engine.Report({9, 9}, kOdd);

@@ -101,6 +101,12 @@ class Engine {
     return Add(range, row, texts);
   }
 
+  /// One that goes on from here: it knows what has been reported, and reports on its own until it is joined. For
+  /// phases that read the same and run beside one another.
+  Engine Fork() const;
+  /// Takes what a fork of this one has reported since, behind what was reported here; the same again is kept once.
+  void Join(Engine fork);
+
   /// Of each severity so many are kept; more are only counted, so that a file of errors does not fill the memory.
   static constexpr uint32_t kMostKept = 20'000;
 
@@ -128,6 +134,8 @@ class Engine {
   static std::string ToText(Text text) { return std::string(text); }
   static std::string ToText(Number number) { return std::to_string(number); }
   Diagnostic& Add(source::Range range, const Row& row, const std::vector<std::string>& args);
+  /// Whether one more is kept; else it is counted.
+  bool HasRoom(Severity severity);
   uint32_t& CountOf(Severity severity);
   void Recount();
 
@@ -139,6 +147,9 @@ class Engine {
   uint32_t warning_count_ = 0;
   uint32_t note_count_ = 0;
   std::array<uint32_t, 3> not_kept_ = {};  // by severity
+  // Of a fork: how many of them are its origin's.
+  size_t forked_at_ = 0;
+  std::array<uint32_t, 3> not_kept_at_fork_ = {};
 };
 
 /// "{0}" ... "{9}" replaced by the arguments; "{{" is a brace.

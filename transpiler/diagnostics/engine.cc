@@ -66,12 +66,7 @@ Diagnostic& Engine::Add(source::Range range, const Row& row, const std::vector<s
   const bool as_error = (options_.all_errors && row.severity == Severity::kWarning) ||
                         NamesWhole(options_.errors, row) || NamesShort(options_.errors, row);
   const Severity severity = as_error ? Severity::kError : row.severity;
-  uint32_t& not_kept = not_kept_[static_cast<size_t>(severity)];
-  if (CountOf(severity) - not_kept >= kMostKept) {
-    ++CountOf(severity);
-    ++not_kept;
-    return discarded_;
-  }
+  if (!HasRoom(severity)) return discarded_;
   std::string text = Format(row.text, args);
   if (!reported_.insert(Identity(row, range, text)).second) return discarded_;
 
@@ -83,6 +78,36 @@ Diagnostic& Engine::Add(source::Range range, const Row& row, const std::vector<s
   diagnostic.remedy = Format(row.remedy, args);
   ++CountOf(diagnostic.severity);
   return diagnostic;
+}
+
+bool Engine::HasRoom(Severity severity) {
+  uint32_t& not_kept = not_kept_[static_cast<size_t>(severity)];
+  if (CountOf(severity) - not_kept < kMostKept) return true;
+  ++CountOf(severity);
+  ++not_kept;
+  return false;
+}
+
+Engine Engine::Fork() const {
+  Engine fork = *this;
+  fork.forked_at_ = diagnostics_.size();
+  fork.not_kept_at_fork_ = not_kept_;
+  return fork;
+}
+
+void Engine::Join(Engine fork) {
+  for (size_t i = fork.forked_at_; i < fork.diagnostics_.size(); ++i) {
+    Diagnostic& found = fork.diagnostics_[i];
+    if (!HasRoom(found.severity) || !reported_.insert(Identity(*found.row, found.range, found.text)).second) continue;
+    ++CountOf(found.severity);
+    diagnostics_.push_back(std::move(found));
+  }
+  for (const Severity severity : {Severity::kError, Severity::kWarning, Severity::kNote}) {
+    const auto index = static_cast<size_t>(severity);
+    const uint32_t more = fork.not_kept_[index] - fork.not_kept_at_fork_[index];
+    not_kept_[index] += more;
+    CountOf(severity) += more;
+  }
 }
 
 uint32_t& Engine::CountOf(Severity severity) {

@@ -1,6 +1,4 @@
 // The command line of plcxx. Nothing is initialized before a subcommand is chosen, so that the start costs nothing.
-#include <pthread.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
@@ -18,6 +16,7 @@
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/test_command.h"
 #include "transpiler/driver/why_command.h"
+#include "transpiler/support/beside_work.h"
 
 namespace plcxx::driver {
 namespace {
@@ -120,34 +119,16 @@ int GuardedMain(int argc, char** argv) {
   }
 }
 
-struct Call {
-  int argc;
-  char** argv;
-  int code;
-};
-
 /// A chain of DOE members is a nest of else arms, and the phases walk regions by recursion: what a long chain needs is
-/// stack. The pages are only taken when they are used.
-int RunOnDeepStack(int argc, char** argv) {
+/// stack.
+int MainOnDeepStack(int argc, char** argv) {
   constexpr size_t kStackBytes = size_t{256} << 20;
-  Call call{argc, argv, kInternalFault};
-  pthread_attr_t attributes;
-  pthread_t thread;
-  pthread_attr_init(&attributes);
-  const auto body = [](void* data) -> void* {
-    auto* const own = static_cast<Call*>(data);
-    own->code = GuardedMain(own->argc, own->argv);
-    return nullptr;
-  };
-  const bool started = pthread_attr_setstacksize(&attributes, kStackBytes) == 0 &&
-                       pthread_create(&thread, &attributes, body, &call) == 0;
-  pthread_attr_destroy(&attributes);
-  if (!started) return GuardedMain(argc, argv);  // not that much address space: the usual stack must do
-  pthread_join(thread, nullptr);
-  return call.code;
+  int code = kInternalFault;
+  support::RunOnDeepStack(kStackBytes, [&] { code = GuardedMain(argc, argv); });
+  return code;
 }
 
 }  // namespace
 }  // namespace plcxx::driver
 
-int main(int argc, char** argv) { return plcxx::driver::RunOnDeepStack(argc, argv); }
+int main(int argc, char** argv) { return plcxx::driver::MainOnDeepStack(argc, argv); }

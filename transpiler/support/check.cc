@@ -17,11 +17,12 @@ thread_local int guards = 0;
 
 FaultGuard::FaultGuard() { ++guards; }
 FaultGuard::~FaultGuard() { --guards; }
+bool FaultGuard::IsActive() { return guards > 0; }
 
 void InternalFault(const char* condition, const char* file, int line) {
   // The path of the build machine says nothing to the user; the file's name does.
   const char* name = std::strrchr(file, '/');
-  if (guards > 0) {
+  if (FaultGuard::IsActive()) {
     throw FaultError("check '" + std::string(condition) + "' failed (" + (name != nullptr ? name + 1 : file) + ":" +
                      std::to_string(line) + ")");
   }

@@ -20,6 +20,9 @@ class FaultGuard {
   ~FaultGuard();
   FaultGuard(const FaultGuard&) = delete;
   FaultGuard& operator=(const FaultGuard&) = delete;
+
+  /// Whether one lives in this thread.
+  static bool IsActive();
 };
 
 }  // namespace plcxx::support

@@ -6,55 +6,21 @@
 #include <clang/Parse/ParseAST.h>
 #include <clang/Parse/Parser.h>
 #include <clang/Sema/Sema.h>
-#include <pthread.h>
 
-#include <exception>
 #include <memory>
 #include <unordered_map>
 
 #include "transpiler/dialects/hnc/parser/clang/converter.h"
 #include "transpiler/dialects/hnc/parser/clang/record_layout.h"
 #include "transpiler/dialects/hnc/parser/clang/session.h"
+#include "transpiler/support/beside_work.h"
 
 namespace plcxx::hnc {
 namespace {
 
 /// Clang and the conversion follow the nesting of the program by recursion: chains of `else if`, sums and assignments
-/// have no limit of their own. Only what is used of it is real memory; where that much address space is not to be had,
-/// less has to do.
-constexpr size_t kStackBytes[] = {size_t{512} << 20, size_t{128} << 20, size_t{32} << 20};
-
-/// Runs `work` to its end on a stack of its own. What it throws, as where memory is over, is thrown here: out of a
-/// thread nothing leads but the end of the process.
-template <class Work>
-void RunOnLargeStack(Work work) {
-  std::exception_ptr thrown;
-  auto guarded = [&work, &thrown] {
-    try {
-      work();
-    } catch (...) {
-      thrown = std::current_exception();
-    }
-  };
-  using Guarded = decltype(guarded);
-  for (const size_t bytes : kStackBytes) {
-    pthread_attr_t attributes;
-    pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, bytes);
-    pthread_t thread{};
-    const auto run = [](void* argument) -> void* {
-      (*static_cast<Guarded*>(argument))();
-      return nullptr;
-    };
-    const bool started = pthread_create(&thread, &attributes, run, &guarded) == 0;
-    pthread_attr_destroy(&attributes);
-    if (!started) continue;
-    pthread_join(thread, nullptr);
-    if (thrown) std::rethrow_exception(thrown);
-    return;
-  }
-  work();
-}
+/// have no limit of their own.
+constexpr size_t kStackBytes = size_t{512} << 20;
 
 std::string_view KindOf(const clang::Token& token) {
   if (token.is(clang::tok::identifier)) return "name";
@@ -206,5 +172,5 @@ void ParseTokens(Session& session) {
 extern "C" __attribute__((visibility("default"))) void plcxx_hnc_parse(const plcxx::hnc::ParserInput& input,
                                                                        plcxx::hnc::ParseUntil until,
                                                                        plcxx::hnc::ParserOutput& output) {
-  plcxx::hnc::RunOnLargeStack([&] { plcxx::hnc::Run(input, until, output); });
+  plcxx::support::RunOnDeepStack(plcxx::hnc::kStackBytes, [&] { plcxx::hnc::Run(input, until, output); });
 }
