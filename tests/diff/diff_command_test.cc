@@ -198,6 +198,31 @@ TEST_F(DiffCommand, SaysWhatIsWrong) {
   const Ran broken = place_.Run("diff old/door.plc wrong.plc");
   EXPECT_EQ(broken.code, 2) << broken;
   EXPECT_THAT(broken.errors, HasSubstr("cannot be compared: it has errors"));
+  place_.Write("open.yaml", "dialect: nc110\nsources: [old/door.plc]\nsteps:\n- run: {slow: 1}\n");
+  for (const std::string words : {"open.yaml new/door.plc", "old/door.plc open.yaml"}) {
+    const Ran scenario = place_.Run("diff " + words);
+    EXPECT_EQ(scenario.code, 2) << scenario;
+    EXPECT_THAT(scenario.errors, HasSubstr("'open.yaml' is YAML, as scenarios are: diff compares programs"));
+  }
+  place_.Write("new/plcxx.yaml", "dialect: nc110\nsources: door.plc\n");
+  EXPECT_THAT(place_.Run("diff old/door.plc new/plcxx.yaml").errors,
+              HasSubstr("name its folder, as in 'plcxx diff new NEW'"));
+}
+
+/// What git says of the versions is no matter of one program.
+TEST_F(DiffCommand, VersionsThatGitHasNotAreToldOnce) {
+  place_.Write("plcxx.yaml",
+               "programs:\n- {name: a, dialect: nc110, sources: old/door.plc}\n"
+               "- {name: b, dialect: nc110, sources: new/door.plc}\n");
+  const auto messages = [&] {
+    const Ran ran = place_.Run("diff --all");
+    EXPECT_EQ(ran.code, 2) << ran;
+    EXPECT_EQ(std::ranges::count(ran.errors, '\n'), 1) << ran;
+    return ran.errors;
+  };
+  EXPECT_THAT(messages(), HasSubstr("git has no version here"));
+  ASSERT_EQ(std::system(("git init -q '" + place_.Path(".") + "'").c_str()), 0);
+  EXPECT_THAT(messages(), HasSubstr("git has no version here yet: commit the program first"));
 }
 
 /// Ports that are refreshed at every millisecond show more than the ends of ticks: nothing is claimed of such a

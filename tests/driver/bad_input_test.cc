@@ -44,10 +44,10 @@ TEST(BadInput, Binary) {
 TEST(BadInput, MissingOrDirectory) {
   const Workplace work;
   std::filesystem::create_directory(work.Path("folder.plc"));
-  ExpectRefused(work, "missing.plc", "cannot read");
-  ExpectRefused(work, "missing", "cannot read");
-  ExpectRefused(work, "folder.plc", "directory");
-  ExpectRefused(work, ".", "directory");
+  ExpectRefused(work, "missing.plc", "cannot read", 2);
+  ExpectRefused(work, "missing", "cannot read", 2);
+  ExpectRefused(work, "folder.plc", "directory", 2);
+  ExpectRefused(work, ".", "directory", 2);
 }
 
 // The remedy is that of the cause, in the words of every dialect.
@@ -203,6 +203,23 @@ TEST(BadInput, AScenarioWithoutProgramIsToldByEveryCommand) {
   }
 }
 
+// Nothing is said of a program whose source is not there: whatever the command, its words are wrong.
+TEST(BadInput, ASourceThatIsNotThereIsWrongUse) {
+  const Workplace work;
+  work.Write("main.plc", "$\nU4A0=I0A0\n");
+  for (const std::string command : {"check", "emit", "sim", "report", "verify", "soak --for 1s", "print ir", "live",
+                                    "build --target host", "identify main.plc"}) {
+    const Ran ran = work.Run(command + " nope.plc");
+    EXPECT_EQ(ran.code, 2) << command << ran;
+    EXPECT_THAT(ran.errors, HasSubstr("'nope.plc': no such file"));
+  }
+  EXPECT_EQ(work.Run("check main.plc nope.plc").code, 2);
+  EXPECT_EQ(work.Run("check main.plc . --dialect nc110").code, 2);
+  const Ran compared = work.Run("diff main.plc nope.plc");
+  EXPECT_EQ(compared.code, 2);
+  EXPECT_THAT(compared.errors, AllOf(HasSubstr("'nope.plc': no such file"), Not(HasSubstr("cannot be compared"))));
+}
+
 TEST(BadInput, FilesThatAreNoSourcesAreToldWithTheCause) {
   const Workplace work;
   work.Write("main.plc", "$\nU4A0=I0A0\n");
@@ -221,6 +238,9 @@ TEST(BadInput, FilesThatAreNoSourcesAreToldWithTheCause) {
               HasSubstr("cannot read 'rum.vcd': no such file, did you mean 'run.vcd'; --vcd names a recorded trace"));
   EXPECT_THAT(refused("identify man.plc"),
               HasSubstr("cannot read 'man.plc': no such file, did you mean 'main.plc'; FILE is an object, "));
+  EXPECT_THAT(refused("verify main.plc --target cortex-m4 --object nope.a"),
+              HasSubstr("cannot read 'nope.a': no such file; --object names an object or a library"));
+  EXPECT_THAT(refused("verify main.plc --routine fsat"), HasSubstr("there is no routine 'fsat'"));
   EXPECT_THAT(refused("live main.plc --link tcp:here:99999 --read U4A0"), HasSubstr("'99999' is no port: 1 to 65535"));
   EXPECT_THAT(refused("live main.plc --link socket:none --force U4A0=1,U4A0=0"),
               HasSubstr("'U4A0' is given two values"));

@@ -214,6 +214,10 @@ TEST(CommandLine, WarningsAreSwitchedByName) {
   EXPECT_THAT(work.Run("check fast.plc").errors, HasSubstr("warning"));
   EXPECT_THAT(work.Run("check fast.plc -Wno-W303").errors, Not(HasSubstr("warning:")));
   EXPECT_THAT(work.Run("check fast.plc -Wno-nc110-W303").errors, Not(HasSubstr("warning:")));
+  EXPECT_THAT(work.Run("check fast.plc -Wno-W3O3").errors,
+              HasSubstr("'-Wno-W3O3' names no warning: did you mean 'W303'"));
+  EXPECT_THAT(work.Run("check fast.plc -Wno-nc110-43").errors,
+              HasSubstr("'nc110-43' is an error, and errors cannot be"));
   EXPECT_EQ(work.Run("check fast.plc -Wno-W303 -Werror").code, 0);
   for (const std::string option : {"-Werror", "-Werror=W303", "-Werror=nc110-W303", "-Wno-W303 -Werror=W303"}) {
     const Ran ran = work.Run("check fast.plc " + option);

@@ -153,6 +153,20 @@ TEST_F(Why, WrongUseHasARemedy) {
   EXPECT_EQ(work.Run("why U4A8 --scenario none.yaml").code, 2);
 }
 
+TEST_F(Why, AFileInPlaceOfTheSignalIsTold) {
+  work.Write("s.yaml", Yaml("- run: {slow: 1}\n"));
+  const auto refused = [&](const std::string& words) {
+    const Ran ran = work.Run("why " + words);
+    EXPECT_EQ(ran.code, 2) << ran;
+    return ran.errors;
+  };
+  EXPECT_THAT(refused("s.yaml U4A8"),
+              HasSubstr("'s.yaml' is a file, and the signal comes first: plcxx why U4A8 --scenario s.yaml"));
+  EXPECT_THAT(refused("lamp.plc U4A8 --can"), HasSubstr("plcxx why U4A8 lamp.plc --can"));
+  EXPECT_THAT(refused("lamp.plc --scenario s.yaml"), HasSubstr("'lamp.plc' is a file"));
+  EXPECT_THAT(refused("U4A8 s.yaml"), HasSubstr("the run of 's.yaml' is named with --scenario s.yaml"));
+}
+
 TEST_F(Why, AFailedExpectationSaysWhy) {
   work.Write("s.yaml", Yaml("- set: {I0A7: 1}\n- run: {slow: 1}\n- expect: {U4A8: 1}\n"));
   EXPECT_THAT(work.Run("test s.yaml --engine sim").out,

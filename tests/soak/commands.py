@@ -220,6 +220,11 @@ def main():
             (work / "broken/soak.json").write_text(record)
             ran = soak(work, "--merge", "out", "broken")
             expect(ran.returncode == 2 and words in ran.stderr and "exception" not in ran.stderr, "a broken record is not refused", ran)
+        for record in ('{"plcxx_soak": 1', "notes of mine"):
+            (work / "broken/soak.json").write_text(record)
+            ran = soak(work, "door.plc", "--for", "1s", "-o", "broken")
+            expect(ran.returncode == 2 and "'broken/soak.json' is not overwritten: it is no record of a soak" in ran.stderr
+                   and (work / "broken/soak.json").read_text() == record, "what is no record is overwritten", ran)
         (work / "other.plc").write_text("$\nU4A0 = I0A0\n")
         soak(work, "other.plc", "--for", "1s", "-o", "other")
         ran = soak(work, "--merge", "out", "shard-1", "other")

@@ -217,7 +217,8 @@ std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& 
   std::vector<std::string> unknown;
   request.warnings = compilation::ReadWarningOptions(warnings, unknown);
   if (!unknown.empty()) {
-    PrintUsageError("'" + unknown.front() + "' names no warning: plcxx explain --list shows them all");
+    PrintUsageError("'" + unknown.front() +
+                    "' names no warning: " + compilation::RemedyOfUnknownWarning(unknown.front()));
     return std::nullopt;
   }
   return IsScenario(options) ? RequestOfScenario(options, request) : request;

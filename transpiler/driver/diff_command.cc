@@ -107,6 +107,7 @@ std::string Rendered(const review::diff::Diff& diff, const DiffNames& names, con
 bool IsUsable(const review::diff::DiffSide& side, const DiffSettings& settings) {
   if (side.compilation.ok() && side.compilation.has_program) return true;
   PrintDiagnosticsBeside(side.compilation, MessagesOf(settings.common));
+  if (side.compilation.wrong_use) return false;  // which names the file
   PrintUsageError("'" + side.label +
                   "' cannot be compared: " + (side.compilation.ok() ? "it has no program" : "it has errors"));
   return false;
@@ -205,9 +206,15 @@ int RunDiffOf(const DiffSettings& asked) {
     return RunDiff(settings);
   }
   if (words.revisions.empty()) words.revisions = "HEAD..";
+  std::optional<std::string> why_no_revisions;  // once for all programs
   return ForEachProgram(
       settings.common,
       [&](const CommonOptions& common) {
+        if (!why_no_revisions) {
+          why_no_revisions = review::diff::WhyNoRevisions(words.revisions);
+          if (!why_no_revisions->empty()) PrintUsageError(*why_no_revisions);
+        }
+        if (!why_no_revisions->empty()) return static_cast<int>(kWrongUse);
         DiffSettings own = settings;
         own.common.is_one_of_several = common.is_one_of_several;
         own.scenarios = FolderOf(common, settings.scenarios);

@@ -176,7 +176,7 @@ int RunSoak(const SoakSettings& asked) {
   const soak::Goals goals(machine.compilation.program);
   const soak::WatchPlan plan(machine, std::move(properties));
   const uint32_t own = (machines - shard->number) / shard->count + 1;
-  if (!settings.directory.empty() && !CanBeWritten({PathIn(settings.directory, kSoakRecord)})) return kWrongUse;
+  if (!settings.directory.empty() && !CanTakeRecord(settings.directory)) return kWrongUse;
   soak::SoakRequest request{
       .machine = machine,
       .request = chosen.request,

@@ -81,6 +81,19 @@ std::vector<soak::Stimuli> ReadCorpus(const std::string& directory) {
   return StimuliOf(scenarios::KnownRunsIn(CorpusFolder(directory), scenarios::Reach::kAnywhere));
 }
 
+bool CanTakeRecord(const std::string& directory) {
+  const std::string path = PathBelow(directory, kSoakRecord);
+  if (!CanBeWritten({path})) return false;
+  const std::optional<std::string> text = support::ReadFile(path);
+  if (!text) return true;
+  const std::variant<soak::Record, std::string> read = soak::ReadRecord(*text);
+  const auto* const why = std::get_if<std::string>(&read);
+  if (why == nullptr || *why == soak::kOfAnotherVersion) return true;
+  // Whatever it is, no soak wrote it, and it may be needed.
+  PrintUsageError("'" + path + "' is not overwritten: " + *why + "; remove it, or name another folder with -o");
+  return false;
+}
+
 bool WriteSoak(const std::string& directory, const soak::Record& record, std::vector<emit::OutputFile> files,
                std::vector<std::string> protected_paths) {
   files.push_back({kSoakRecord, soak::ToJson(record)});

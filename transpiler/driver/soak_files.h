@@ -22,6 +22,9 @@ std::string CorpusFolder(const std::string& directory);
 std::vector<soak::Stimuli> ReadCorpus(const std::string& directory);
 std::vector<soak::Stimuli> StimuliOf(const std::vector<std::vector<scenarios::KnownStep>>& runs);
 
+/// Can the record be written there, and is a file of its name a record? False: reported.
+bool CanTakeRecord(const std::string& directory);
+
 /// Writes `files` (paths below the folder), record and page; runs that are needed no more disappear. False: reported.
 bool WriteSoak(const std::string& directory, const soak::Record& record, std::vector<emit::OutputFile> files,
                std::vector<std::string> protected_paths);

@@ -15,6 +15,7 @@
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/named_file.h"
 #include "transpiler/driver/one_of.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
@@ -31,15 +32,12 @@
 #include "transpiler/review/verify/certificate.h"
 #include "transpiler/review/verify/facts.h"
 #include "transpiler/scenarios/failure.h"
-#include "transpiler/source/read_bytes.h"
 #include "transpiler/support/counted.h"
 #include "transpiler/support/hex.h"
 #include "transpiler/support/near_words.h"
 
 namespace plcxx::driver {
 namespace {
-
-constexpr size_t kMostObjectBytes = size_t{1} << 28;
 
 constexpr const char* kVerifyFooter = R"(Examples:
   plcxx verify turret.sym turret.plc
@@ -151,21 +149,25 @@ std::string FrontEndText(const prove::verify::front_end::FunctionProof& function
 /// One verification: from a compiled program to the certificate.
 class Verification {
  public:
+  /// `objects`: what the files of --object contain.
   Verification(const VerifySettings& settings, const compilation::CompilationRequest& request,
-               const compile::Target& target, uint64_t routine_ms, compilation::Compilation& compilation,
-               ProgressLine& progress)
+               const compile::Target& target, uint64_t routine_ms, std::vector<std::string> objects,
+               compilation::Compilation& compilation, ProgressLine& progress)
       : settings_(settings),
         request_(request),
         target_(target),
         routine_ms_(routine_ms),
         compilation_(compilation),
-        progress_(progress) {}
+        progress_(progress),
+        objects_(std::move(objects)) {}
 
   /// Whether all is proved. What is decided is printed when it is; `said` is all of it.
   bool Run();
   const std::string& said() const { return said_; }
   /// The whole, in one line.
   const std::string& verdict() const { return verdict_; }
+  /// It is not verified because of what the command line says.
+  bool is_wrong_use() const { return wrong_use_; }
 
  private:
   void Say(const std::string& text);
@@ -198,6 +200,7 @@ class Verification {
   review::verify::FactsReport facts_;
   std::optional<prove::verify::front_end::Comparison> front_end_;
   std::string said_, verdict_;
+  bool wrong_use_ = false;
 };
 
 void Verification::Say(const std::string& text) {
@@ -237,6 +240,7 @@ bool Verification::ChooseRoutines() {
   }
   for (const std::string& asked : settings_.routines) {
     if (std::ranges::find(names, asked) == names.end()) {
+      wrong_use_ = true;
       return Refuse("there is no routine '" + asked + "'" + support::ThereAre(asked, names));
     }
   }
@@ -320,14 +324,6 @@ std::unique_ptr<prove::verify::CompiledCode> Verification::CompileCode() {
 
 std::unique_ptr<prove::verify::CompiledCode> Verification::ReadObjects(const emit::Emittable& emittable) {
   progress_.Show("reading objects");
-  for (const std::string& path : settings_.objects) {
-    auto bytes = source::ReadBytes(path, kMostObjectBytes);
-    if (const auto* error = std::get_if<source::LoadError>(&bytes)) {
-      Refuse("cannot read '" + path + "': " + error->detail);
-      return nullptr;
-    }
-    objects_.push_back(std::move(std::get<std::string>(bytes)));
-  }
   const std::vector<prove::verify::Signature> signatures = prove::verify::SignaturesOf(emittable);
   prove::verify::LoadedCode loaded = prove::verify::LoadObjectCode(
       {.objects = objects_, .signatures = signatures, .processor = std::string(target_.processor)});
@@ -397,17 +393,25 @@ int RunVerify(const VerifySettings& settings) {
   names.name = settings.name;
   std::optional<compilation::CompilationRequest> request = MakeNamedRequest(settings.common, names);
   if (!request) return kWrongUse;
+  std::vector<std::string> objects;
+  for (const std::string& path : settings.objects) {
+    std::optional<std::string> bytes =
+        ReadNamedFile(path, "--object names an object or a library, as plcxx build wrote it");
+    if (!bytes) return kWrongUse;
+    objects.push_back(std::move(*bytes));
+  }
   ProgressLine progress;
   request->progress = [&progress](std::string_view phase) { progress.Show(phase); };
   std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, *request);
   if (!compiled) return kWrongUse;
   compilation::Compilation& compilation = *compiled;
-  Verification verification(settings, *request, *target, *routine_ms, compilation, progress);
+  Verification verification(settings, *request, *target, *routine_ms, std::move(objects), compilation, progress);
   const bool proved = compilation.ok() && verification.Run();
   progress.Clear();
   PrintDiagnostics(compilation, MessagesOf(settings.common));
   if (settings.quiet && !proved) std::cerr << verification.said();
   if (!settings.quiet || !proved) std::cerr << verification.verdict();
+  if (verification.is_wrong_use()) return kWrongUse;
   const int code = ExitCodeOf(compilation);
   return code == kDone && !proved ? static_cast<int>(kProgramHasErrors) : code;
 }

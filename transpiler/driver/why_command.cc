@@ -1,10 +1,12 @@
 // plcxx why: which conditions make a signal what it is, and whether it can be on at all.
 #include "transpiler/driver/why_command.h"
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -17,6 +19,7 @@
 #include "transpiler/driver/one_of.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
+#include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/driver/traced_input.h"
@@ -252,8 +255,23 @@ int WhetherItCan(const WhySettings& settings) {
   return answer.result.verdict == prove::properties::PropertyVerdict::kUndecided ? kProgramHasErrors : kDone;
 }
 
+/// What is wrong where the first word is a file; empty where it is none.
+std::string FileForSignal(const WhySettings& settings) {
+  const std::filesystem::path path = settings.signal;
+  std::error_code error;
+  if (!path.has_extension() || !std::filesystem::is_regular_file(path, error)) return {};
+  std::string signal = "SIGNAL";
+  for (const std::string& source : settings.common.sources) {
+    if (!std::filesystem::exists(source, error)) signal = source;
+  }
+  const std::string form =
+      IsScenario(settings.signal) ? " --scenario " + settings.signal : " " + settings.signal + " --can";
+  return "'" + settings.signal + "' is a file, and the signal comes first: plcxx why " + signal + form;
+}
+
 int RunWhy(const WhySettings& settings) {
   const Result result = settings.form == "json" ? Result::kJson : Result::kUnnamed;
+  if (const std::string wrong = FileForSignal(settings); !wrong.empty()) return UsageError(wrong);
   if (!settings.waveform.empty() && (settings.can || settings.step || !settings.scenario.empty())) {
     return UsageError("--vcd names a state by its trace and --at: leave --scenario, --step and --can out");
   }
@@ -264,6 +282,10 @@ int RunWhy(const WhySettings& settings) {
   if (settings.step && !settings.at.empty())
     return UsageError("--step and --at both name a state: leave one of them out");
   if (!settings.can) {
+    if (settings.scenario.empty() && IsScenario(settings.common)) {
+      return UsageError("why is asked of a state: the run of '" + settings.common.sources.front() +
+                        "' is named with --scenario " + settings.common.sources.front());
+    }
     if (settings.scenario.empty()) {
       return UsageError(
           "why is asked of a state: name a scenario with --scenario FILE or a trace with --vcd FILE, or ask with --can "

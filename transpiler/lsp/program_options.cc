@@ -55,7 +55,8 @@ compilation::CompilationRequest ReadProgram(const Json& program) {
   }
   std::vector<std::string> unknown;
   request.warnings = compilation::ReadWarningOptions(TextsOf(program, "warnings"), unknown);
-  if (!unknown.empty()) Refuse("'" + unknown.front() + "' names no warning");
+  if (!unknown.empty())
+    Refuse("'" + unknown.front() + "' names no warning: " + compilation::RemedyOfUnknownWarning(unknown.front()));
   return request;
 }
 

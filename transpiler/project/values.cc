@@ -167,7 +167,7 @@ class KeyReader {
     static_cast<void>(compilation::ReadWarningOptions({word.text}, unknown));
     const bool is_name = unknown.empty() && !word.text.starts_with("no-") && !word.text.starts_with("error");
     if (is_name) return;
-    reader_.Fail(word.mark, Quoted(word.text) + " names no warning", "plcxx explain --list shows them all");
+    reader_.Fail(word.mark, Quoted(word.text) + " names no warning", compilation::RemedyOfUnknownWarning(word.text));
   }
 
   void Check(const yaml::MarkedText& word, const KeyRow& row) {

@@ -127,7 +127,7 @@ Json JsonOf(const Record& record) {
 
 /// Throws what nlohmann_json throws; not empty: what is wrong.
 std::string ReadFrom(const Json& json, Record& record) {
-  if (json.at("plcxx_soak") != kVersion) return "it is of another version of plcxx";
+  if (json.at("plcxx_soak") != kVersion) return std::string(kOfAnotherVersion);
   record.program = json.at("program");
   record.hash = json.at("program_hash");
   record.seed = json.at("seed");

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -75,6 +76,8 @@ Record MakeRecord(const scenarios::ProveMachine& machine, const Soaked& soaked, 
                   const Inputs& inputs, const WatchPlan& plan);
 
 std::string ToJson(const Record& record);
+/// What is wrong with a record that another version wrote.
+inline constexpr std::string_view kOfAnotherVersion = "it is of another version of plcxx";
 /// Or what is wrong with it: lower case, no full stop.
 std::variant<Record, std::string> ReadRecord(const std::string& json);
 

@@ -114,6 +114,17 @@ std::optional<std::string> FillRequest(const std::string& path, const DiffWords&
   std::error_code error;
   if (!fs::is_directory(path, error)) {
     if (!sources.empty()) return "--sources names files of two directories, and '" + path + "' is none";
+    if (words.external) {  // git goes on with the next file only when the tool has not failed
+      request.sources = {path};
+      return std::nullopt;
+    }
+    if (fs::path(path).filename() == project::kProjectFile)
+      return "'" + path + "' is a project: name its folder, as in 'plcxx diff " +
+             (fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : std::string(".")) +
+             " NEW', or 'plcxx diff A..B' in it for two versions in git";
+    if (fs::path(path).extension() == ".yaml")
+      return "'" + path +
+             "' is YAML, as scenarios are: diff compares programs; name the sources of both versions, or their folders";
     request.sources = {path};
     return std::nullopt;
   }
@@ -230,6 +241,10 @@ std::string NoRevision(const Git& git, const std::string& revision, const std::s
   std::istringstream lines(listed.output);
   for (std::string line; names.size() < kMostNames && std::getline(lines, line);) names.push_back(line);
   if (listed.exit_code != 0) names.clear();
+  if (revision == "HEAD") {  // which every repository with a commit has
+    return "git has no version here yet: commit the program first, or name two files or folders, as in 'plcxx diff OLD "
+           "NEW'";
+  }
   return "git has no version '" + revision + "'" + support::DidYouMean(revision, names) + " (" + why + ")";
 }
 
@@ -293,6 +308,20 @@ std::variant<DiffRequests, std::string> ResolveRevisions(const DiffWords& words,
 }
 
 }  // namespace
+
+std::string WhyNoRevisions(const std::string& revisions) {
+  const size_t dots = revisions.find("..");
+  if (dots == std::string::npos || dots == 0) return {};  // ResolveDiff tells
+  const Git git = FindGit();
+  if (!git.reason.empty()) return git.reason;
+  for (const std::string& revision : {revisions.substr(0, dots), revisions.substr(dots + 2)}) {
+    if (revision.empty()) continue;
+    const auto found =
+        compile::RunProcess({"git", "rev-parse", "--verify", "--end-of-options", revision + "^{tree}"}, kGitSeconds);
+    if (found.exit_code != 0) return NoRevision(git, revision, FirstLine(found.output));
+  }
+  return {};
+}
 
 std::variant<DiffRequests, std::string> ResolveDiff(const DiffWords& words,
                                                     const compilation::CompilationRequest& common) {

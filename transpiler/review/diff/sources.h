@@ -38,6 +38,9 @@ struct DiffRequests {
   std::vector<std::unique_ptr<compile::TemporaryDirectory>> copies;
 };
 
+/// Why git has not the versions "A..B" of the work tree's project; empty when it has them.
+std::string WhyNoRevisions(const std::string& revisions);
+
 /// `common`: what the options of the command line say for both.
 std::variant<DiffRequests, std::string> ResolveDiff(const DiffWords& words,
                                                     const compilation::CompilationRequest& common);
