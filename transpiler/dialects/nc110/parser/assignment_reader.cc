@@ -193,7 +193,7 @@ void AssignmentReader::ReportNoStatement() {
     return;
   }
   if (token.kind == TokenKind::kNumber && !Evaluate(TextOf(token)).well_formed) {
-    operands_.ReportMalformedNumber(token);
+    operands_.ReportMalformedTarget(token);
     return;
   }
   const TokenKind next = Peek(1).kind;

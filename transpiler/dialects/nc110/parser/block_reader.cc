@@ -59,6 +59,7 @@ void BlockReader::ParseHead(Item& item, source::Range word, BlockKind kind) {
   }
   chain_ = BlockId();
   chain_unsure_ = false;
+  PassSecondHeadWord();
   if (CanBeName(Peek().kind) && !LooksLikeTarget(0)) {
     block.name = open_blocks_.TakeName();
   }
@@ -71,6 +72,18 @@ void BlockReader::ParseHead(Item& item, source::Range word, BlockKind kind) {
   item.kind = ItemKind::kBlockHead;
   item.detail = program_.blocks.Add(block).index;
   open_blocks_.Open(id);
+}
+
+/// "DOF DOF : I0A0" is one block, as the colon shows.
+void BlockReader::PassSecondHeadWord() {
+  const TokenKind kind = Peek().kind;
+  const bool is_head = kind == TokenKind::kDof || kind == TokenKind::kDoe || kind == TokenKind::kDow;
+  const bool has_colon =
+      Peek(1).kind == TokenKind::kColon || (CanBeName(Peek(1).kind) && Peek(2).kind == TokenKind::kColon);
+  if (!is_head || Peek().first_on_line || !has_colon) return;
+  Fault(Peek().range, diag::Nc110ExpectedHint, "':'", Found(),
+        "one of DOF, DOE and DOW begins a head: delete the other");
+  Take();
 }
 
 bool BlockReader::NoConditionHere() const {

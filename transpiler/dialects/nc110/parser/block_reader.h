@@ -28,6 +28,7 @@ class BlockReader : private ItemReader {
   void ParseHead(Item& item, source::Range word, BlockKind kind);
   void ParseCondition(Block& block, source::Range colon);
   /// Is nothing on the rest of the line that could be the condition?
+  void PassSecondHeadWord();
   bool NoConditionHere() const;
   void LinkChain(BlockId id, Block& block);
 

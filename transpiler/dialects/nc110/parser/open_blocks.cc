@@ -19,6 +19,14 @@ void NoteLoneWords(source::Range lone_end, const std::vector<source::Range>& lon
   if (!lone_does.empty()) report.notes.push_back({lone_does.front(), "this DOE is in front of it"});
 }
 
+/// "ENED" for "ENDE".
+bool HasNeighboursExchanged(std::string_view text, std::string_view word) {
+  if (text.size() != word.size()) return false;
+  const auto [at, in_word] = std::ranges::mismatch(text, word);
+  if (at == text.end() || at + 1 == text.end()) return false;
+  return at[0] == in_word[1] && at[1] == in_word[0] && std::equal(at + 2, text.end(), in_word + 2);
+}
+
 }  // namespace
 
 std::string_view HeadWord(BlockKind kind) {
@@ -118,7 +126,7 @@ bool OpenBlocks::IsMeantEnd(std::string_view run, source::Range range) {
   constexpr std::string_view kEnds[] = {"ENDF", "ENDE", "ENDW"};
   const std::string capitals = Capitals(run);
   const auto is_near = [&](std::string_view end) {
-    return capitals.size() >= end.size() && support::EditDistance(capitals, end) == 1;
+    return support::EditDistance(capitals, end) == 1 || HasNeighboursExchanged(capitals, end);
   };
   const bool is_end = capitals == "END" || capitals == "ENDIF" || std::ranges::any_of(kEnds, is_near);
   if (now_.failed || open_.empty() || !is_end) {

@@ -143,6 +143,17 @@ void OperandReader::ReportMalformedNumber(const Token& token) {
   }
 }
 
+void OperandReader::ReportMalformedTarget(const Token& token) {
+  const std::string_view text = TextOf(token);
+  std::string hint = LookAlike(text);
+  if (!hint.starts_with('I')) {
+    ReportMalformedNumber(token);
+    return;
+  }
+  hint.front() = 'U';  // no input is assigned to
+  Fault(token.range, diag::Nc110MalformedNumberHint, text, hint).fixits.push_back({token.range, hint});
+}
+
 void OperandReader::CountOperand() {
   if (++now_.operands == kMaxOperands + 1) {
     HardFault(Peek().range, diag::Nc110TooComplex);

@@ -28,6 +28,8 @@ class OperandReader : private ItemReader {
   void FaultOfUnknown(std::string_view run, source::Range range);
   ConstantUse TakeConstant();
   void ReportMalformedNumber(const Token& token);
+  /// Of what begins a statement, and so is assigned to.
+  void ReportMalformedTarget(const Token& token);
   /// An expression has one more; too many are a hard fault.
   void CountOperand();
   void DefineSymbol(Symbol symbol);
