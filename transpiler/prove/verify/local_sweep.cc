@@ -25,7 +25,8 @@ constexpr int kVectors = 48;
 constexpr size_t kMostCandidates = 3;  // of one class that a term is compared with
 constexpr size_t kMostCopied = 600;    // terms of one question
 constexpr uint32_t kQuestionMs = 300;  // for terms inside
-constexpr uint32_t kLastMs = 2000;     // for the pairs themselves
+constexpr uint32_t kFirstMs = 200;     // for the pairs themselves, at each depth
+constexpr uint32_t kLastMs = 2000;     // for those that are open then
 constexpr int kQuestionVectors = 64;
 constexpr uint32_t kMostBits = 10;  // of variables of which all values are tried
 constexpr size_t kMostTermsOfAllValues = 200;
@@ -95,6 +96,7 @@ class LocalSweep {
   std::vector<terms::TermId> question_;                               // all terms of the last one
   std::vector<uint64_t> question_values_;                             // by TermId
   bool cut_ = false;
+  bool has_unknown_ = false;  // a question was not answered
 };
 
 void LocalSweep::MarkCones() {
@@ -260,7 +262,9 @@ bool LocalSweep::AreEqual(terms::TermId a, terms::TermId b, std::span<const int>
     if (!copy) return false;
     const terms::TermId differ = terms_.Ne(copy->a, copy->b);
     if (terms_.IsFalse(differ)) return true;
-    if (Ask(differ, milliseconds) == solver::Answer::kNever) return true;
+    const solver::Answer answer = Ask(differ, milliseconds);
+    if (answer == solver::Answer::kNever) return true;
+    has_unknown_ = has_unknown_ || answer == solver::Answer::kUnknown;
     // Where nothing was cut, they do differ.
     if (!cut_ || Late()) return false;
   }
@@ -319,7 +323,11 @@ std::vector<solver::TermPair> LocalSweep::Run() {
   for (solver::TermPair& pair : alike) {
     if (pair.a == pair.b) continue;
     pair = {Representative(pair.a), Representative(pair.b)};
-    if (AreEqual(pair.a, pair.b, kDepths, kLastMs)) pair.b = pair.a;
+    // What takes long at one depth is often answered at once at the next one, which knows more.
+    has_unknown_ = false;
+    bool are_equal = AreEqual(pair.a, pair.b, kDepths, kFirstMs);
+    if (!are_equal && has_unknown_) are_equal = AreEqual(pair.a, pair.b, kDepths, kLastMs);
+    if (are_equal) pair.b = pair.a;
   }
   return alike;
 }
