@@ -76,6 +76,35 @@ function(plcxx_test_library TARGET)
   plcxx_test_options(${TARGET})
 endfunction()
 
+# plcxx_optimized_first(<target> <library>...): our libraries that these need are given to the linker in front of the
+# target's own files. Of inline functions that several files have (all of std::string, for example) it takes the first
+# one, which would be that of the tests, compiled without optimization: the code under test called it, too. What others
+# need comes first, for some of our libraries are tests themselves.
+function(plcxx_optimized_first TARGET)
+  set(OPEN ${ARGN})
+  set(SEEN "")
+  set(FILES "")
+  while(OPEN)
+    list(POP_FRONT OPEN LIBRARY)
+    string(REGEX REPLACE "^\\$<LINK_ONLY:(.*)>$" "\\1" LIBRARY "${LIBRARY}")
+    if(NOT TARGET "${LIBRARY}" OR LIBRARY IN_LIST SEEN)
+      continue()
+    endif()
+    list(APPEND SEEN ${LIBRARY})
+    get_target_property(TYPE ${LIBRARY} TYPE)
+    if(TYPE STREQUAL "STATIC_LIBRARY" AND LIBRARY MATCHES "^plcxx_")
+      list(PREPEND FILES $<TARGET_FILE:${LIBRARY}>)
+    endif()
+    get_target_property(FURTHER ${LIBRARY} INTERFACE_LINK_LIBRARIES)
+    if(FURTHER)
+      list(APPEND OPEN ${FURTHER})
+    endif()
+  endwhile()
+  if(FILES)
+    target_link_options(${TARGET} PRIVATE LINKER:--whole-archive ${FILES} LINKER:--no-whole-archive)
+  endif()
+endfunction()
+
 # plcxx_test(<folder> [DEPENDS <folder>...] [RUNS_TOOL] [LABELS <label>...] [SHARDS <n>] [COST <seconds>]
 # [FILTER <filter>]): all *_test.cc of this folder, without those about hnc where nothing reads C. RUNS_TOOL: they run
 # the binary as well. The tests of one that takes long are dealt out to SHARDS entries of ctest, which runs them at
@@ -96,6 +125,7 @@ function(plcxx_test NAME)
     add_dependencies(${NAME}_test plcxx)
   endif()
   plcxx_test_library(${NAME}_test)
+  plcxx_optimized_first(${NAME}_test ${ARG_DEPENDS})
   set_target_properties(${NAME}_test PROPERTIES UNITY_BUILD ${PLCXX_UNITY})
   set_target_properties(${NAME}_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   if(NOT ARG_SHARDS)
