@@ -166,7 +166,15 @@ std::string Repeated(const std::string& line, int times) {
 
 TEST(HncDiagnostics, AfterAThousandErrorsNothingIsRead) {
   EXPECT_THAT(ErrorsOf(Repeated("int v = 1;\n", 2000)), testing::SizeIs(1000));
-  EXPECT_THAT(ErrorsOf("void f() {\n" + Repeated("nosuch = 1;\n", 2000) + "}\nvoid g() { }\n"), testing::SizeIs(1000));
+  std::string statements;
+  for (int i = 0; i < 2000; ++i) statements += "nosuch" + std::to_string(i) + " = 1;\n";
+  EXPECT_THAT(ErrorsOf("void f() {\n" + statements + "}\nvoid g() { }\n"), testing::SizeIs(1000));
+}
+
+// One declaration is missing, however often its name is used; another function misses its own.
+TEST(HncDiagnostics, ANameThatIsNotDeclaredIsOneErrorInAFunction) {
+  EXPECT_THAT(ErrorsOf("void f() {\n" + Repeated("nosuch = nosuch + 1;\n", 5) + "}\nvoid g() { nosuch = 1; }\n"),
+              ElementsAre("4:1 E010", "10:12 E010"));
 }
 
 TEST(HncDiagnostics, ANameIsDeclaredAThousandTimes) {

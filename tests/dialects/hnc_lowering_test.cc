@@ -559,11 +559,16 @@ TEST(HncLowering, AJumpIntoSomethingIsRefusedOnce) {
 }
 
 TEST(HncLowering, ARefusedRecordIsRefusedOnce) {
-  for (const char* record : {"nowhere", "*(struct s *)0x1234", "a ? r : nowhere", "(a, nowhere)", "none()"}) {
+  const std::pair<const char*, const char*> records[] = {{"nowhere", "elsewhere"},
+                                                         {"*(struct s *)0x1234", "*(struct s *)0x1234"},
+                                                         {"a ? r : nowhere", "a ? r : elsewhere"},
+                                                         {"(a, nowhere)", "(a, elsewhere)"},
+                                                         {"none()", "none()"}};
+  for (const auto& [first, second] : records) {
     EXPECT_THAT(
-        Errors("struct s { int x, y; } r, t; t = " + std::string(record) + "; r = t; a = (t = " + record + ").x;"),
+        Errors("struct s { int x, y; } r, t; t = " + std::string(first) + "; r = t; a = (t = " + second + ").x;"),
         testing::SizeIs(2))
-        << record;
+        << first;
   }
 }
 

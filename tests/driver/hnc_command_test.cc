@@ -49,6 +49,32 @@ TEST(HncCommand, IncludeDirectories) {
 }
 
 // covers: HNC-347
+// What follows an #include stands in the block that the header leaves open: that is one mistake, and it is in the
+// header.
+TEST(HncCommand, AHeaderThatDoesNotCloseItsBlock) {
+  const Workplace work;
+  work.Write("mill.cld", "#include \"plc.h\"\n#include \"own.h\"\nint a;\n" + std::string(kEntries) +
+                             "void plc1() { Y[0] = a; }\n");
+  for (const std::string header : {"int b;\nvoid f() { if (b) { b = 1; }\n", "int b;\nstruct s { int c;\n"}) {
+    work.Write("own.h", header);
+    const Ran ran = work.Run("check mill.cld");
+    EXPECT_EQ(ran.code, 1) << ran;
+    EXPECT_EQ(Count(ran.errors, "error:"), 1) << ran;
+    EXPECT_THAT(ran.errors, AllOf(HasSubstr("own.h:2:"), HasSubstr("the end of 'own.h': '}' expected")));
+  }
+}
+
+// The line after the one that lacks its ';' is where the syntax breaks; the note is where it belongs.
+TEST(HncCommand, AMissingSemicolonIsToldWhereItBelongs) {
+  const Workplace work;
+  work.Write("mill.cld", "#include \"plc.h\"\n#include \"own.h\"\nint a;\n" + std::string(kEntries) +
+                             "void plc1() { Y[0] = a; }\n");
+  work.Write("own.h", "int speed\n");
+  EXPECT_THAT(work.Run("check mill.cld").errors,
+              AllOf(HasSubstr("mill.cld:3:1: error: syntax error at 'int': ';' expected"),
+                    HasSubstr("own.h:1:9: note: the ';' is missing behind this")));
+}
+
 TEST(HncCommand, WarningsAsErrorsAndSilenced) {
   const Workplace work;
   work.Write("mill.cld", Program("void plc1() { if (X[0] & 1 != 0) Y[0] = 1; }\n"));

@@ -44,11 +44,15 @@ bool IsSingleStore(const ir::Program& program, ir::RegionId region) {
 /// Whether something that was refused may be why it is not known how often the loop goes round: what Clang refuses as
 /// a whole is not in the tree.
 bool Loops::HasError(const Statement& statement) const {
-  const bool asks = statement.expression.valid() && ConstantCondition(unit_, statement.expression) != true;
-  if (!asks) return false;  // it is endless, whatever is wrong in it
-  return std::ranges::any_of(diagnostics_.all(), [&statement](const diag::Diagnostic& diagnostic) {
+  source::Offset end = statement.range.end;
+  if (!statement.expression.valid()) {
+    end = unit_.statements[statement.then].range.begin;  // the condition may be what is wrong in the head
+  } else if (ConstantCondition(unit_, statement.expression) == true) {
+    return false;  // it is endless, whatever is wrong in it
+  }
+  return std::ranges::any_of(diagnostics_.all(), [&](const diag::Diagnostic& diagnostic) {
     return diagnostic.severity == diag::Severity::kError && diagnostic.range.begin >= statement.range.begin &&
-           diagnostic.range.begin < statement.range.end;
+           diagnostic.range.begin < end;
   });
 }
 

@@ -76,6 +76,13 @@ struct Braces {
     return all.empty() || all.back().depth >= 0 ? std::nullopt : std::optional(all.back().place);
   }
   bool IsOpenAtEnd() const { return !all.empty() && all.back().depth > 0; }
+  /// The innermost '{' that nothing closes.
+  std::optional<source::Offset> LastOpen() const {
+    if (!IsOpenAtEnd()) return std::nullopt;
+    const int depth = all.back().depth;
+    const auto opened = std::ranges::find_if(all.rbegin(), all.rend(), [&](const At& at) { return at.depth < depth; });
+    return std::prev(opened)->place;
+  }
 
  private:
   static size_t EndOfLogicalLine(std::string_view text, size_t at) {
@@ -95,6 +102,39 @@ struct Braces {
     return at;
   }
 };
+
+/// A header that ends within a block has taken in what follows its #include: one finding, at its end, is left of that.
+bool MergeOpenHeader(const source::SourceManager& sources, std::vector<Finding>& findings) {
+  const auto shows_it = [](const Finding& finding) {
+    const bool at_end = finding.row.key == diag::HncSyntax.row.key && !finding.arguments.empty() &&
+                        finding.arguments.front() == "the end of the file";
+    return finding.row.key == diag::HncFunctionInside.row.key || at_end;
+  };
+  const auto shown = std::ranges::find_if(findings, shows_it);
+  if (shown == findings.end() || shown->range.begin == 0) return false;
+  const source::FileId including = sources.FileAt(shown->range.begin);
+  if (Braces(sources.Get(including)).IsOpenAtEnd()) return false;
+  for (uint32_t i = 0; i < sources.size(); ++i) {
+    const source::FileId id(i);
+    if (id == including) continue;
+    const source::File& file = sources.Get(id);
+    const std::optional<source::Offset> open = Braces(file).LastOpen();
+    if (!open) continue;
+    const auto end = static_cast<source::Offset>(file.base + file.text.find_last_not_of(" \t\r\n") + 1);
+    std::erase_if(findings, [&](const Finding& finding) {
+      return finding.range.begin != 0 && sources.FileAt(finding.range.begin) != id &&
+             (finding.phase == Phase::kSyntax || finding.phase == Phase::kMeaning);
+    });
+    findings.push_back({.phase = Phase::kSyntax,
+                        .row = diag::HncSyntax.row,
+                        .range = {end, end},
+                        .arguments = {"the end of '" + file.path + "'", "'}'"},
+                        .notes = {{{*open, *open + 1}, "to match this"}},
+                        .fixits = {}});
+    return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -122,6 +162,7 @@ void MergeMissingHeader(const source::SourceManager& sources, std::vector<Findin
 }
 
 void MergeMissingBrace(const source::SourceManager& sources, std::vector<Finding>& findings) {
+  if (MergeOpenHeader(sources, findings)) return;
   const auto first = std::ranges::min_element(findings, {}, [](const Finding& finding) {
     const bool counts = finding.phase == Phase::kSyntax || finding.row.key == diag::HncFunctionInside.row.key;
     return counts && finding.range.begin != 0 ? finding.range.begin : ~source::Offset{0};

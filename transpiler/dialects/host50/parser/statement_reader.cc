@@ -135,7 +135,12 @@ bool StatementReader::FaultOfBadToken() {
 }
 
 void StatementReader::FaultOfMissing(std::string_view what) {
-  if (!FaultOfBadToken()) Fault(Peek().range, diag::Host50OperandExpected, what, Found());
+  if (FaultOfBadToken()) return;
+  if (TextOf(Peek()) == "!") {
+    Fault(Peek().range, diag::Host50OperandForeign, what, Found(), "the inverted contact is LDI, ANDI or ORI");
+  } else {
+    Fault(Peek().range, diag::Host50OperandExpected, what, Found());
+  }
 }
 
 void StatementReader::ExpectEnd() {

@@ -56,7 +56,7 @@ void StructureReader::ReadTopLevelLine() {
     Fault(Peek().range, diag::Host50UnexpectedEnd, word, "closes nothing");
     sections_.ForgetComments();
     ++line_;
-  } else if (!ReadMisspeltOpening()) {
+  } else if (!ReadRowsWithoutSymbols() && !ReadMisspeltOpening()) {
     ReadStray();
   }
 }
@@ -83,6 +83,29 @@ bool StructureReader::ReadMisspeltOpening() {
   Begin(CurrentLine());
   Fault(Peek().range, diag::Host50UnknownInstructionNear, TextOf(Peek()), Name(part));
   IsSection(part) ? ReadSection(part) : ReadTable(part);
+  return true;
+}
+
+bool StructureReader::IsSymbolRow(const Line& line) const {
+  if (line.kind != LineKind::kStatement || line.tokens.count < 2) return false;
+  const auto& tokens = files_[now_.file].tokens;
+  const TokenKind named = tokens[line.tokens.first + 1].kind;
+  return tokens[line.tokens.first].kind == TokenKind::kAddress &&
+         (named == TokenKind::kWord || named == TokenKind::kQuotedSymbol || named == TokenKind::kString);
+}
+
+/// Rows of a table of symbols that no SYMBOLS opens: they are read as what they are.
+bool StructureReader::ReadRowsWithoutSymbols() {
+  if (!IsSymbolRow(CurrentLine())) return false;
+  sections_.ForgetComments();
+  Begin(CurrentLine());
+  Fault(Peek().range, diag::Host50UnknownInstructionHint, TextOf(Peek()),
+        "SYMBOLS in front of the names of addresses, and END_SYMBOLS behind them");
+  TablePart table{.part = PartKind::kSymbols, .file = now_.file, .first = line_};
+  while (!AtEndOfFile() && (IsSymbolRow(CurrentLine()) || CurrentLine().kind != LineKind::kStatement)) ++line_;
+  table.last = line_;
+  if (!AtEndOfFile() && PartByEnd(WordOf(CurrentLine())) == PartKind::kSymbols) ++line_;
+  parts_.tables.push_back(table);
   return true;
 }
 

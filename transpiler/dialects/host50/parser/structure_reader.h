@@ -17,6 +17,8 @@ class StructureReader : private StatementReader {
 
  private:
   void ReadTopLevelLine();
+  bool IsSymbolRow(const Line& line) const;
+  bool ReadRowsWithoutSymbols();
   void ReadTable(PartKind part);
   void ReadSection(PartKind part);
   /// The line of the END that is met first, before any other part begins.

@@ -177,6 +177,16 @@ void SymbolReader::FaultOfUnknownName(const Token& token, std::string_view name)
     Fault(token.range, diag::Host50NotInOperand, name);
     return;
   }
+  const size_t behind = token.range.end - now_.source->base;
+  const size_t hash = name.find('#');
+  const bool has_hash =
+      hash != std::string_view::npos || (behind < now_.source->text.size() && now_.source->text[behind] == '#');
+  const std::string_view kind = name.substr(0, hash);
+  if (has_hash && (EqualIgnoringCase(kind, "T") || EqualIgnoringCase(kind, "TIME"))) {
+    Fault(token.range, diag::Host50UnknownSymbolForeign, name,
+          "a time is a number in the unit of its timer: TONS %TM0, 30 waits for 30 seconds");
+    return;
+  }
   std::vector<std::string_view> names;
   if (++near_searches_ <= kMostSearches) {
     for (const Symbol& symbol : program_.symbols) names.push_back(symbol.name);

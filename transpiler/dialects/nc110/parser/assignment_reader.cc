@@ -198,7 +198,8 @@ void AssignmentReader::ReportNoStatement() {
   }
   const TokenKind next = Peek(1).kind;
   const bool second_slash = now_.position > 0 && now_.lexed.tokens[now_.position - 1].kind == TokenKind::kSlash;
-  const bool comment = (token.kind == TokenKind::kSlash && (second_slash || next == TokenKind::kSlash)) ||
+  const bool comment = (second_slash && token.kind == TokenKind::kStar) ||
+                       (token.kind == TokenKind::kSlash && (second_slash || next == TokenKind::kSlash)) ||
                        (token.kind == TokenKind::kOpenParenthesis && next == TokenKind::kStar) ||
                        (token.kind == TokenKind::kSlash && next == TokenKind::kStar);
   const bool closing = token.kind == TokenKind::kCloseParenthesis || token.kind == TokenKind::kCloseBracket;

@@ -101,6 +101,13 @@ void FileReader::ReportOutside(const Statement& statement) {
   const bool operand = statement.tokens.front().kind == TokenKind::kClass;
   const std::string text =
       operand ? operands_.OperandText(statement.tokens, 0) : std::string(sources_.Text(statement.range));
+  const std::string text_of_message =
+      statement.labels.empty() ? std::string() : UpperOf(statement.labels.front()).substr(0, 2);
+  if (text_of_message == "DM" || text_of_message == "DT") {
+    diagnostics_.Report(statement.range, diag::ProstepOutsideHint, text,
+                        "a text begins with a dot and not with a colon: " + text_of_message + " 1 .TEXT");
+    return;
+  }
   diagnostics_.Report(statement.range, diag::ProstepOutside, text);
 }
 

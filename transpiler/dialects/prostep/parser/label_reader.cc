@@ -68,7 +68,14 @@ void LabelReader::EndModule(const Module& module) {
     const auto label = labels_.find(jump.name);
     if (label == labels_.end()) {
       program_.instructions[jump.instruction].faulty = true;
-      diagnostics_.Report(jump.range, diag::ProstepLabelUndefined, jump.name);
+      // Blocks of STEP 5 and STEP 7.
+      constexpr std::string_view kBlocks[] = {"PB", "FB", "SB", "OB", "FC"};
+      if (std::ranges::find(kBlocks, jump.name) != std::end(kBlocks)) {
+        diagnostics_.Report(jump.range, diag::ProstepLabelUndefinedHint, jump.name,
+                            "modules are PM, those of the control FM: JU PM 20, with a condition JC PM 20");
+      } else {
+        diagnostics_.Report(jump.range, diag::ProstepLabelUndefined, jump.name);
+      }
       continue;
     }
     program_.instructions[jump.instruction].target = label->second;

@@ -54,7 +54,12 @@ std::optional<Operand> BitReader::ReadBitName() {
   };
   if (token.kind == TokenKind::kNumber) return refuse("a number");
   if (token.kind != TokenKind::kWord || token.text == "?") {
-    context_.Report(token.range, diag::TechnolSyntax, Shown(&token), "the name of a bit");
+    if (token.text == "/" || token.text == "!") {
+      context_.Report(token.range, diag::TechnolSyntaxHint, Shown(&token), "the name of a bit",
+                      "the negation of a bit is '-': " + std::string(mnemonic_) + " -I1");
+    } else {
+      context_.Report(token.range, diag::TechnolSyntax, Shown(&token), "the name of a bit");
+    }
     return std::nullopt;
   }
   const std::string upper = Upper(token.text);

@@ -85,6 +85,14 @@ void ConstantReader::DefineConstant(const Token& name, std::span<const Token> ex
 
 void ConstantReader::AssignConstant(const Token& name, std::span<const Token> expression) {
   const SymbolId known = context_.names.Find(name.text);
+  if (known.valid() && context_.names[known].kind == SymbolKind::kCell) {
+    const bool is_number = expression.size() == 1 && expression.front().kind == TokenKind::kNumber;
+    context_.Report(name.range, diag::TechnolAlreadyDefinedHint, name.text,
+                    "'=' defines constants; a cell gets its value by LOD CNST." +
+                        (is_number ? std::string(expression.front().text) : std::string("5")) + " and STO " +
+                        std::string(name.text));
+    return;
+  }
   if (!known.valid() || !assigned_.contains(known)) {  // EQUI and EQU are for good
     DefineConstant(name, expression);
     const SymbolId symbol = context_.names.Find(name.text);

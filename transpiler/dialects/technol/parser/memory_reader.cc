@@ -89,6 +89,11 @@ bool MemoryReader::ReadBase(Address& address, uint8_t& width, uint32_t level) {
     context_.Report(token->range, diag::TechnolConstantAsMemory, token->text);
     return false;
   }
+  if (token != nullptr && token->text == "[") {
+    context_.Report(token->range, diag::TechnolSyntaxHint, Shown(token), "the name of a cell",
+                    "memory is addressed by a name, to which the register is added: TABLE[BX]");
+    return false;
+  }
   const SymbolId symbol = ReadName("the name of a cell");
   if (!symbol.valid()) return false;
   const Symbol& named = context_.names[symbol];

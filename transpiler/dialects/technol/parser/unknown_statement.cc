@@ -54,7 +54,14 @@ bool ReportUnknown(const Statement& statement, CodePlace place, ParsingContext& 
   const std::string& upper = statement.upper;
   const SymbolId symbol = context.names.Find(first.text);
   if (upper == "EQU" || upper == "STRUC" || upper == "STRUCT" || upper == "ENDS" || upper == "MACRO") {
-    context.Report(first.range, diag::TechnolStrayLine, first.text, "needs a name in front of it");
+    const Token* const name = statement.words.size() > 1 ? &statement.words[1] : nullptr;
+    if (name != nullptr && name->kind == TokenKind::kWord) {
+      context.Report(first.range, diag::TechnolStrayLineHint, first.text, "needs a name in front of it",
+                     "write " + std::string(name->text) + " " + std::string(first.text) +
+                         (upper == "EQU" ? ", and the value" : ""));
+    } else {
+      context.Report(first.range, diag::TechnolStrayLine, first.text, "needs a name in front of it");
+    }
     return false;
   }
   if (upper == "LEA") {

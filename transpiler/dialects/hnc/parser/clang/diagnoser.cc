@@ -82,7 +82,6 @@ const Rule kRules[] = {
     {cd::err_pp_operator_used_as_macro_name, &diag::HncPreprocessor, kWords, "'defined' is no name of a macro"},
     {cd::err_paste_at_start, &diag::HncPreprocessor, kWords, "'##' at the beginning of a macro"},
     {cd::err_paste_at_end, &diag::HncPreprocessor, kWords, "'##' at the end of a macro"},
-    {cd::err_unterm_macro_invoc, &diag::HncPreprocessor, kWords, "the macro's arguments have no closing ')'"},
     // names
     {cd::err_undeclared_var_use, &diag::HncUndeclared, 0},
     {cd::err_undeclared_use, &diag::HncUndeclared, 0},
@@ -364,8 +363,8 @@ bool Diagnoser::ByTable(const clang::Diagnostic& info) {
   const bool type =
       info.getID() == cd::err_redefinition_different_type || info.getID() == cd::err_redeclaration_different_type;
   const bool undeclared = rule->message == &diag::HncUndeclared;
-  if (undeclared && ManualNotation(range, text)) return true;
-  if (undeclared && mistyped_.contains(text)) return true;  // its declaration has been reported
+  if (undeclared && (ManualNotation(range, text) || MacroWithParameters(range, text))) return true;
+  if (undeclared && (mistyped_.contains(text) || !IsFirstUse(text))) return true;  // reported
   if (undeclared || info.getID() == cd::err_unknown_typename) {
     const std::string name = Written(range);
     if (const std::string declared = NameAfter(range.end); !declared.empty()) mistyped_.insert(declared);
@@ -388,6 +387,8 @@ bool Diagnoser::ByTable(const clang::Diagnostic& info) {
                                       : "leave it out: plc.h declares it");
   } else if (rule->message == &diag::HncRedefinition && system) {
     session_.findings().Report(range, diag::HncRedefinitionSystem, text);
+  } else if (const std::string_view remedy = RemedyOfTypes(text); rule->argument == kWords && !remedy.empty()) {
+    session_.findings().Report(range, diag::HncIncompatibleHint, text, remedy);
   } else {
     session_.findings().Report(range, *rule->message, text);
   }
@@ -485,8 +486,7 @@ bool Diagnoser::Operands(const clang::Diagnostic& info) {
   }
   const bool invalid_indirection = info.getID() == cd::err_typecheck_indirection_requires_pointer;
   if (invalid_indirection) {
-    session_.findings().Report(RangeOf(info), diag::HncIncompatible,
-                               "'*' needs a pointer, found " + Quoted(ArgumentText(info, 0)));
+    ReportNoPointer(info);
   } else if (is_pointer(0) || is_pointer(1)) {
     if (const std::string area = AreaAmong(info); !area.empty()) {
       session_.findings().Report(RangeOf(info), diag::HncAreaAsValue, area);
@@ -578,7 +578,7 @@ void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const cl
       clang::DiagnosticIDs::getCategoryNameFromID(clang::DiagnosticIDs::getCategoryNumberForDiag(info.getID()));
   const bool lexical = category.starts_with("Lexical"), syntactic = category.starts_with("Parse");
   session_.findings().SetPhase(lexical ? Phase::kText : syntactic ? Phase::kSyntax : Phase::kMeaning);
-  const bool known = ByTable(info) || Calls(info) || Operands(info) || Conversions(info);
+  const bool known = ByTable(info) || Unfinished(info) || Calls(info) || Operands(info) || Conversions(info);
   if (!known && IsError(level)) {
     if (lexical) {
       session_.findings().Report(RangeOf(info), diag::HncPreprocessor, "this cannot be read");

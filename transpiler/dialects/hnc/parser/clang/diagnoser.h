@@ -25,6 +25,13 @@ class Diagnoser : public clang::DiagnosticConsumer {
   void Syntax(const clang::Diagnostic& info);
   bool HasUnterminated() const;
   bool ManualNotation(source::Range range, const std::string& name);
+  bool MacroWithParameters(source::Range range, const std::string& name);
+  bool IsFirstUse(const std::string& name);
+  bool MacroOfBadForm(source::Range range, const std::string& token);
+  bool Unfinished(const clang::Diagnostic& info);
+  void ReportNoPointer(const clang::Diagnostic& info);
+  bool LabelWithSemicolon(const clang::Diagnostic& info);
+  void NoteMissingSemicolon(const clang::Diagnostic& info);
   bool ReportMeant(source::Range range, const std::string& token);
   bool IndexedNotation(source::Range range);
   std::string LineBefore(source::Offset place) const;
@@ -41,7 +48,9 @@ class Diagnoser : public clang::DiagnosticConsumer {
   std::string Written(source::Range range) const { return session_.input.text(range); }
 
   Session& session_;
-  std::set<std::string> mistyped_;  // names whose declarations have no type
+  std::set<std::string> mistyped_;                                   // names whose declarations have no type
+  std::set<std::pair<const clang::Decl*, std::string>> undeclared_;  // in which function
+  bool unclosed_call_ = false;  // of a macro: the rest of the file are its arguments
   uint32_t near_searches_ = 0;
   uint32_t errors_ = 0;              // of the parser
   source::Range folded_size_;        // of an array, where the last diagnostic was of that

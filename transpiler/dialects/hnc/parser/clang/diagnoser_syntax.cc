@@ -46,6 +46,93 @@ bool Diagnoser::ManualNotation(source::Range range, const std::string& name) {
   return true;
 }
 
+/// `ch_ctrl[0]` for the macro ch_ctrl(c).
+bool Diagnoser::MacroWithParameters(source::Range range, const std::string& name) {
+  clang::Preprocessor& preprocessor = session_.clang.getPreprocessor();
+  const clang::MacroInfo* const macro = preprocessor.getMacroInfo(preprocessor.getIdentifierInfo(name));
+  if (macro == nullptr || !macro->isFunctionLike()) return false;
+  const std::string behind = LineAfter(range.end);
+  const size_t close = behind.find(']');
+  const bool is_indexed = behind.starts_with('[') && close != std::string::npos;
+  const std::string call = name + "(" + (is_indexed ? behind.substr(1, close - 1) : "...") + ")";
+  const bool is_table = std::ranges::any_of(macro->tokens(), [](const clang::Token& token) {
+    const clang::IdentifierInfo* const word = token.getIdentifierInfo();
+    const std::optional<SystemName> area = word == nullptr ? std::nullopt : FindSystemName(word->getName().str());
+    return area && RowOf(area->area).table;
+  });
+  session_.findings().Report(range, diag::HncUndeclaredForeign, name,
+                             "it is a macro with parameters: write " + (is_table ? "*" + call : call));
+  return true;
+}
+
+/// One declaration is missing, however often its name is used.
+bool Diagnoser::IsFirstUse(const std::string& name) {
+  const clang::Decl* const function =
+      session_.parser == nullptr ? nullptr : session_.parser->getActions().getCurFunctionDecl();
+  return undeclared_.emplace(function, name).second;
+}
+
+/// `#define N 3;` and `#define N = 3`: the sign is part of the macro, and stands or was left where N is used.
+bool Diagnoser::MacroOfBadForm(source::Range range, const std::string& token) {
+  std::string name = Written(range);
+  if (token.find(" of the macro '") == std::string::npos) {  // behind it
+    std::string before = LineBefore(range.begin);
+    while (!before.empty() && before.back() == ' ') before.pop_back();
+    name = std::string(std::find_if_not(before.rbegin(), before.rend(), IsWord).base(), before.end());
+  }
+  if (name.empty()) return false;
+  clang::Preprocessor& preprocessor = session_.clang.getPreprocessor();
+  const clang::MacroInfo* const macro = preprocessor.getMacroInfo(preprocessor.getIdentifierInfo(name));
+  if (macro == nullptr || macro->isBuiltinMacro() || macro->getNumTokens() < 2) return false;
+  const bool begins = macro->getReplacementToken(0).is(clang::tok::equal);
+  const bool ends = macro->getReplacementToken(macro->getNumTokens() - 1).is(clang::tok::semi);
+  if (!begins && !ends) return false;
+  session_.findings().Report(range, diag::HncSyntaxForeign, token,
+                             std::string("the macro '") + name + (begins ? "' begins with '='" : "' ends with ';'") +
+                                 ": leave that out in its #define");
+  return true;
+}
+
+/// What ends too early: the message says what is missing.
+bool Diagnoser::Unfinished(const clang::Diagnostic& info) {
+  if (info.getID() == cd::err_unterm_macro_invoc) {
+    unclosed_call_ = true;
+    session_.findings().Report(RangeOf(info), diag::HncMacroCallOpen);
+    return true;
+  }
+  if (info.getID() == cd::err_invalid_suffix_constant) {
+    session_.findings().Report(RangeOf(info), diag::HncConstantSuffix, Written(RangeOf(info)));
+    return true;
+  }
+  if (info.getID() != cd::err_exponent_has_no_digits) return false;
+  session_.findings().Report(RangeOf(info), diag::HncConstantExponent);
+  return true;
+}
+
+void Diagnoser::ReportNoPointer(const clang::Diagnostic& info) {
+  const std::string operand = info.getNumRanges() > 0 ? Written(session_.places.Of(info.getRange(0).getAsRange())) : "";
+  session_.findings().Report(RangeOf(info), diag::HncNoPointer, ArgumentText(info, 0),
+                             operand.empty() ? "the operand" : operand);
+}
+
+/// `case 1;`: the parser has gone on behind the ';'.
+bool Diagnoser::LabelWithSemicolon(const clang::Diagnostic& info) {
+  if (info.getID() != cd::err_expected_after || ArgumentText(info, 1) != ":") return false;
+  const source::Range range = session_.places.OfToken(session_.places.IncludedAt(info.getLocation()));
+  if (Written(range) != ";") return false;
+  session_.findings().Report(range, diag::HncSyntaxForeign, "';'", "a case and a default end with ':'");
+  return true;
+}
+
+/// Where what stands on another line or in another file lacks its end.
+void Diagnoser::NoteMissingSemicolon(const clang::Diagnostic& info) {
+  Finding& finding = session_.findings().all().back();
+  const source::Range behind = session_.places.OfToken(info.getLocation());  // begins where the token before it ends
+  if (behind.begin <= 1 || behind.begin == finding.range.begin) return;
+  if (LineBefore(finding.range.begin).find_first_not_of(" \t") != std::string::npos) return;
+  finding.notes.push_back({{behind.begin - 1, behind.begin}, "the ';' is missing behind this"});
+}
+
 /// The operand that is a whole array, as `X` in `X & 1`; empty: none is.
 std::string Diagnoser::AreaAmong(const clang::Diagnostic& info) const {
   for (unsigned i = 0; i < std::min(info.getNumRanges(), 2U); ++i) {
@@ -154,9 +241,9 @@ void Diagnoser::Syntax(const clang::Diagnostic& info) {
   const source::Range range = RangeOf(info);
   const std::string token = TokenAt(range);
   const unsigned id = info.getID();
-  if (ReportMeant(range, token)) return;
+  if (LabelWithSemicolon(info) || MacroOfBadForm(range, token) || ReportMeant(range, token)) return;
   // What is not closed has taken the rest with it, as it has the bracket that is missing now.
-  if (token == "the end of the file" && HasUnterminated()) return;
+  if (token == "the end of the file" && (unclosed_call_ || HasUnterminated())) return;
   if (id == cd::err_expected_expression && token == "'else'") {
     session_.findings().Report(range, diag::HncMisplaced, "else");
   } else if (id == cd::err_expected || id == cd::err_expected_after) {
@@ -165,10 +252,14 @@ void Diagnoser::Syntax(const clang::Diagnostic& info) {
   } else if (id == cd::err_expected_semi_after_expr || id == cd::err_expected_semi_after_stmt ||
              id == cd::err_expected_semi_declaration || id == cd::err_expected_semi_decl_list) {
     session_.findings().Report(range, diag::HncSyntax, token, "';'");
+    NoteMissingSemicolon(info);
   } else if (id == cd::err_expected_expression) {
     session_.findings().Report(range, diag::HncSyntax, token, "an expression");
   } else if (id == cd::err_invalid_token_after_toplevel_declarator) {
     session_.findings().Report(range, diag::HncSyntax, token, "';'");
+    NoteMissingSemicolon(info);
+  } else if (id == cd::err_extraneous_closing_brace) {
+    session_.findings().Report(range, diag::HncSyntaxForeign, token, "there is one '}' more in front of it than '{'");
   } else if (id == cd::err_expected_lparen_after) {
     session_.findings().Report(range, diag::HncSyntax, token, "'('");
   } else if (id == cd::err_invalid_decl_spec_combination) {

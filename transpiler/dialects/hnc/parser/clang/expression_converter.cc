@@ -133,7 +133,13 @@ ExprId ExpressionConverter::Cast(const clang::CastExpr* expr) {
     }
     case clang::CK_PointerToIntegral:
       if (operand->IgnoreParenImpCasts()->getType()->isArrayType()) {
-        findings().Report(RangeOf(operand), diag::HncAreaAsValue, Written(RangeOf(operand)));
+        const std::string text = Written(RangeOf(operand));
+        if (text.starts_with('"')) {
+          const std::string meant = text.size() == 3 ? "'" + text.substr(1, 1) + "'" : "one character, such as '1'";
+          findings().Report(RangeOf(operand), diag::HncTextAsValue, text, meant);
+        } else {
+          findings().Report(RangeOf(operand), diag::HncAreaAsValue, text);
+        }
         return builder_.Poison(expr);
       }
       findings().Report(RangeOf(operand), diag::HncPointerAsValue, "'" + Written(RangeOf(operand)) + "' is an address");

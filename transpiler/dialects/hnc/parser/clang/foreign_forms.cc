@@ -138,6 +138,23 @@ std::string MeantByName(std::string_view name) {
   return {};
 }
 
+std::string_view RemedyOfTypes(std::string_view words) {
+  constexpr MeantWord kRemedies[] = {
+      {"more initialisers than there is room for", "make the array larger, or leave values out"},
+      {"the string is longer than the array", "make the array longer: a text of 3 characters has 4 bytes"},
+      {"an array is initialised with { } or a string", "write the values in braces: {1, 2, 3}"},
+      {"a value is returned from a void function",
+       "write return alone, or a type for void in front of the function's name"},
+      {"a void function returns nothing", "write return alone, or a type for void in front of the function's name"},
+      {"what is called is no function", "an element of an array is written in brackets: a[1]"},
+      {"'.' needs a struct or union", "a bit of a register is R[1] & 0x01; a member that a pointer leads to is p->m"},
+      {"'->' needs a pointer to a struct or union", "write '.' for a member of a variable"},
+      {"a bit-field is int, unsigned or char", "write unsigned in front of its name"},
+  };
+  const auto* const row = std::ranges::find(kRemedies, words, &MeantWord::word);
+  return row == std::end(kRemedies) ? std::string_view() : row->remedy;
+}
+
 std::string InsteadOfWord(std::string_view word) {
   if (word.starts_with("__builtin_")) return "write the calculation itself";
   const auto* const row = std::ranges::find(kExtensionWords, word, &MeantWord::word);
@@ -169,6 +186,7 @@ std::string MeantBy(std::string_view before, std::string_view token, std::string
   if (token == ">" && left == '<') return "'not equal' is '!='";
   const std::string_view first = FirstWord(before);
   if (token == ")" && first == "for") return "the head of for has two ';': for (i = 0; i < 3; i++)";
+  if (token == "," && first == "case") return "each value has a case of its own: case 1: case 2:";
   if (token == "#") return std::string(kHexadecimal);
   if (const std::string_view remedy = RemedyFor(kForeignWords, token); !remedy.empty()) return std::string(remedy);
   const std::string capitals = Capitals(first);

@@ -19,6 +19,9 @@ bool EndsWithType(std::string_view before);
 /// For a name that is not declared, or is no type.
 std::string MeantByName(std::string_view name);
 
+/// For what a message about types says; empty where nobody knows more than that they do not fit.
+std::string_view RemedyOfTypes(std::string_view words);
+
 /// For words of newer compilers, such as _Bool or __attribute__.
 std::string InsteadOfWord(std::string_view word);
 
