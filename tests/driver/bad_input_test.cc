@@ -238,6 +238,11 @@ TEST(BadInput, FilesThatAreNoSourcesAreToldWithTheCause) {
               HasSubstr("cannot read 'rum.vcd': no such file, did you mean 'run.vcd'; --vcd names a recorded trace"));
   EXPECT_THAT(refused("identify man.plc"),
               HasSubstr("cannot read 'man.plc': no such file, did you mean 'main.plc'; FILE is an object, "));
+  work.Write("s.yaml", "sources: [main.plc]\nsteps:\n- run: {slow: 1}\n");
+  EXPECT_THAT(refused("sim s.yaml main.plc"),
+              HasSubstr("'s.yaml' is YAML, as scenarios are, which name their programs"));
+  EXPECT_THAT(refused("check main.plc s.yaml"), HasSubstr("leave it or the sources out"));
+  EXPECT_THAT(refused("prove main.plc --property s.yaml"), HasSubstr("are proved by 'plcxx prove s.yaml'"));
   EXPECT_THAT(refused("verify main.plc --target cortex-m4 --object nope.a"),
               HasSubstr("cannot read 'nope.a': no such file; --object names an object or a library"));
   EXPECT_THAT(refused("verify main.plc --routine fsat"), HasSubstr("there is no routine 'fsat'"));

@@ -221,7 +221,14 @@ std::optional<compilation::CompilationRequest> MakeRequest(const CommonOptions& 
                     "' names no warning: " + compilation::RemedyOfUnknownWarning(unknown.front()));
     return std::nullopt;
   }
-  return IsScenario(options) ? RequestOfScenario(options, request) : request;
+  if (IsScenario(options)) return RequestOfScenario(options, request);
+  for (const std::string& source : request.sources) {
+    if (options.program || !IsScenario(source)) continue;
+    PrintUsageError("'" + source +
+                    "' is YAML, as scenarios are, which name their programs: leave it or the sources out");
+    return std::nullopt;
+  }
+  return request;
 }
 
 MessageStyle MessagesOf(const CommonOptions& options) {

@@ -24,6 +24,14 @@ bool ChooseProperties(const CommonOptions& options, ChosenProperties& chosen) {
   std::optional<compilation::CompilationRequest> request = MakeRequest(options);
   if (!request) return false;
   chosen.request = std::move(*request);
+  for (const std::string& path : chosen.files) {  // of the command line: lines of properties
+    if (!IsScenario(path)) continue;
+    PrintUsageError("'" + path +
+                    "' is YAML, as scenarios are: --property names a file of properties, one a line; those "
+                    "of a scenario are proved by 'plcxx prove " +
+                    path + "'");
+    return false;
+  }
   if (!options.program) return !IsScenario(options) || TakeScenario(options.sources.front(), options, chosen);
   // What the project wants to hold, where the command line names nothing.
   if (!chosen.files.empty()) return true;
