@@ -67,13 +67,13 @@ TEST_F(DiffCommand, OptionsOfTheScenariosBesideTheProgram) {
   EXPECT_EQ(place_.Run("diff old new --sources door.plc").code, 0);
   place_.Write("new/a.yaml", scenario("slices: 4"));
   for (const std::string words : {"old new", "old new --sources door.plc", "old/door.plc new/door.plc"}) {
-    const Ran ran = place_.Run("diff " + words);
+    const Ran ran = place_.Run("diff " + words + " --time 5s");  // it is seen at once
     EXPECT_EQ(ran.code, 1) << ran;
     EXPECT_THAT(ran.out, HasSubstr("slices"));
   }
   EXPECT_EQ(place_.Run("diff old new --sources door.plc --set slices=2").code, 0);
   place_.Write("new/b.yaml", scenario("slices: 2"));
-  const Ran unclear = place_.Run("diff old new");
+  const Ran unclear = place_.Run("diff old new --time 5s");
   EXPECT_THAT(unclear.out, HasSubstr("not looked at: the program with options that only some of its scenarios have "
                                      "(slices); give them with --set"));
 }
