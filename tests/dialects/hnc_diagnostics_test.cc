@@ -175,6 +175,8 @@ TEST(HncDiagnostics, AfterAThousandErrorsNothingIsRead) {
 TEST(HncDiagnostics, ANameThatIsNotDeclaredIsOneErrorInAFunction) {
   EXPECT_THAT(ErrorsOf("void f() {\n" + Repeated("nosuch = nosuch + 1;\n", 5) + "}\nvoid g() { nosuch = 1; }\n"),
               ElementsAre("4:1 E010", "10:12 E010"));
+  EXPECT_THAT(ErrorsOf("void f() {\nR[0] = ; R[1] = nosuch;\nR[2] = nosuch;\n}\n"),
+              ElementsAre("4:8 E001", "5:8 E010"));
 }
 
 TEST(HncDiagnostics, ANameIsDeclaredAThousandTimes) {

@@ -364,7 +364,7 @@ bool Diagnoser::ByTable(const clang::Diagnostic& info) {
       info.getID() == cd::err_redefinition_different_type || info.getID() == cd::err_redeclaration_different_type;
   const bool undeclared = rule->message == &diag::HncUndeclared;
   if (undeclared && (ManualNotation(range, text) || MacroWithParameters(range, text))) return true;
-  if (undeclared && (mistyped_.contains(text) || !IsFirstUse(text))) return true;  // reported
+  if (undeclared && (mistyped_.contains(text) || !IsFirstUse(range, text))) return true;  // reported
   if (undeclared || info.getID() == cd::err_unknown_typename) {
     const std::string name = Written(range);
     if (const std::string declared = NameAfter(range.end); !declared.empty()) mistyped_.insert(declared);

@@ -26,7 +26,7 @@ class Diagnoser : public clang::DiagnosticConsumer {
   bool HasUnterminated() const;
   bool ManualNotation(source::Range range, const std::string& name);
   bool MacroWithParameters(source::Range range, const std::string& name);
-  bool IsFirstUse(const std::string& name);
+  bool IsFirstUse(source::Range range, const std::string& name);
   bool MacroOfBadForm(source::Range range, const std::string& token);
   bool Unfinished(const clang::Diagnostic& info);
   void ReportNoPointer(const clang::Diagnostic& info);

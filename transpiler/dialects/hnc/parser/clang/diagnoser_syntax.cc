@@ -65,11 +65,18 @@ bool Diagnoser::MacroWithParameters(source::Range range, const std::string& name
   return true;
 }
 
-/// One declaration is missing, however often its name is used.
-bool Diagnoser::IsFirstUse(const std::string& name) {
+/// One declaration is missing, however often its name is used. On a line whose syntax is wrong nothing is told of it,
+/// so the next one counts.
+bool Diagnoser::IsFirstUse(source::Range range, const std::string& name) {
   const clang::Decl* const function =
       session_.parser == nullptr ? nullptr : session_.parser->getActions().getCurFunctionDecl();
-  return undeclared_.emplace(function, name).second;
+  if (undeclared_.contains({function, name})) return false;
+  const auto begin = static_cast<source::Offset>(range.begin - LineBefore(range.begin).size());
+  const bool is_untold = std::ranges::any_of(session_.findings().all(), [&](const Finding& finding) {
+    return finding.phase == Phase::kSyntax && finding.range.begin >= begin && finding.range.begin <= range.begin;
+  });
+  if (!is_untold) undeclared_.emplace(function, name);
+  return true;
 }
 
 /// `#define N 3;` and `#define N = 3`: the sign is part of the macro, and stands or was left where N is used.
