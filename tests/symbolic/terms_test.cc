@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/symbolic/terms/evaluate.h"
@@ -494,6 +495,64 @@ TEST(Terms, MagnitudesOfMagnitudesAreOneTerm) {
     const uint64_t size = value < 128 ? value : 256 - value;
     EXPECT_EQ(terms::Evaluate(terms, once, {&value, 1}), size);
     EXPECT_EQ(terms::Evaluate(terms, terms.Neg(once), {&value, 1}), (256 - size) & 255);
+  }
+}
+
+/// As C divides, and as a program says it that means no other thing for the least number divided by -1.
+TEST(Terms, SignedQuotientsByConstantsAreThoseOfMagnitudes) {
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 8);
+  const terms::TermId is_negative = terms.Extract(x, 7, 1);
+  const terms::TermId magnitude = terms.Ite(is_negative, terms.Neg(x), x);
+  const auto with_sign = [&](terms::TermId of) { return terms.Ite(is_negative, terms.Neg(of), of); };
+  for (int divisor = 1; divisor < 128; ++divisor) {
+    const terms::TermId by = terms.Const(static_cast<uint64_t>(divisor), 8);
+    const terms::TermId quotient = terms.Sdiv(x, by), rest = terms.Srem(x, by);
+    EXPECT_EQ(quotient, with_sign(terms.Udiv(magnitude, by)));
+    EXPECT_EQ(rest, with_sign(terms.Urem(magnitude, by)));
+    for (uint64_t value = 0; value < 256; ++value) {
+      const int number = static_cast<int8_t>(value);
+      EXPECT_EQ(terms::Evaluate(terms, quotient, {&value, 1}), static_cast<uint8_t>(number / divisor));
+      EXPECT_EQ(terms::Evaluate(terms, rest, {&value, 1}), static_cast<uint8_t>(number % divisor));
+    }
+  }
+}
+
+/// One product or quotient of a choice, in place of a choice of two, where an operand is the same.
+TEST(Terms, ChoicesOfOperationsAreOperationsOfChoices) {
+  terms::Terms terms;
+  constexpr uint8_t kWidth = 3;
+  const terms::TermId c = terms.Variable("c", 1);
+  const std::array numbers = {terms.Variable("x", kWidth), terms.Variable("y", kWidth), terms.Variable("z", kWidth)};
+  const auto [x, y, z] = numbers;
+  const terms::TermId chosen = terms.Ite(c, x, y);
+  EXPECT_EQ(terms.Ite(c, terms.Mul(x, z), terms.Mul(z, y)), terms.Mul(chosen, z));
+  EXPECT_EQ(terms.Ite(c, terms.Mul(x, y), terms.Mul(z, x)), terms.Mul(x, terms.Ite(c, y, z)));
+  EXPECT_EQ(terms.Ite(c, terms.Sdiv(x, z), terms.Sdiv(y, z)), terms.Sdiv(chosen, z));
+  EXPECT_EQ(terms.Ite(c, terms.Urem(z, x), terms.Urem(z, y)), terms.Urem(z, chosen));
+  // A constant is left where it is: it costs far less than a factor that is chosen.
+  const terms::TermId three = terms.Const(3, kWidth), five = terms.Const(5, kWidth);
+  const terms::TermId kept = terms.Ite(c, terms.Mul(x, three), terms.Mul(x, five));
+  EXPECT_EQ(terms[kept].kind, terms::TermKind::kIte);
+  // Whatever is made of them means the same, parts and constants included.
+  const std::array operands = {x, y, z, three, terms.Const(6, kWidth)};
+  for (const Operation& row : kOfWidth) {
+    for (const terms::TermId a : operands) {
+      for (const terms::TermId b : operands) {
+        for (const terms::TermId d : operands) {
+          const terms::TermId one = (terms.*row.make)(a, b), other = (terms.*row.make)(d, b);
+          const terms::TermId third = (terms.*row.make)(b, d);
+          for (const auto& [then, otherwise] : {std::pair(one, other), std::pair(one, third), std::pair(third, one)}) {
+            const terms::TermId choice = terms.Ite(c, then, otherwise);
+            for (uint64_t number = 0; number < 1024; number += 7) {
+              const std::array<uint64_t, 4> values = {number & 1, number >> 1 & 7, number >> 4 & 7, number >> 7 & 7};
+              ASSERT_EQ(terms::Evaluate(terms, choice, values),
+                        terms::Evaluate(terms, values[0] != 0 ? then : otherwise, values));
+            }
+          }
+        }
+      }
+    }
   }
 }
 

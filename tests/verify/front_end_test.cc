@@ -227,5 +227,18 @@ TEST(FrontEnd, SaysWhatIsNotCompared) {
   EXPECT_FALSE(move.ok());
 }
 
+/// What is multiplied and divided is chosen by what an axis says, which the two sides read in other ways.
+TEST(FrontEnd, AProductOfWhatAnIndexChooses) {
+  Subject subject("int a; for (a = 0; a < 3; a++) jog(a);",
+                  "void jog(int a) {\n"
+                  "  int d = X[2] >> a & 1 ? 1 : X[3] >> a & 1 ? -1 : 0;\n"
+                  "  int speed = X[1] & 4 && *axis_stat(a) & 64 ? P_i[1] : P_i[0];\n"
+                  "  if (d != 0) set_axis_jog(a, (int) ((long) speed * *ch_feedover(0) / 100) * d);\n"
+                  "}\n");
+  ASSERT_TRUE(subject.ok());
+  const verify::RoutineProof proof = subject.Compare("jog");
+  EXPECT_EQ(proof.result, ProofResult::kProved) << proof.reason;
+}
+
 }  // namespace
 }  // namespace plcxx::prove::verify::front_end

@@ -7,6 +7,7 @@
 
 #include "transpiler/ir/items.h"
 #include "transpiler/prove/verify/local_sweep.h"
+#include "transpiler/prove/verify/operand_pairs.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 #include "transpiler/symbolic/solver/model.h"
 #include "transpiler/symbolic/terms/cone.h"
@@ -290,11 +291,13 @@ terms::TermId UnitVerifier::GivenAtEnd(const CodeOutcome& outcome) {
   return given.valid() ? terms_.And(given, goes_on) : goes_on;
 }
 
-solver::TermPair UnitVerifier::Asked(const Question& question) {
-  if (!question.given.valid()) return question.pair;
-  const terms::TermId none = terms_.Const(0, terms_.Width(question.pair.a));
-  return {terms_.Ite(question.given, question.pair.a, none), terms_.Ite(question.given, question.pair.b, none)};
+solver::TermPair UnitVerifier::Where(terms::TermId given, const solver::TermPair& pair) {
+  if (!given.valid()) return pair;
+  const terms::TermId none = terms_.Const(0, terms_.Width(pair.a));
+  return {terms_.Ite(given, pair.a, none), terms_.Ite(given, pair.b, none)};
 }
+
+solver::TermPair UnitVerifier::Asked(const Question& question) { return Where(question.given, question.pair); }
 
 CodeDifference UnitVerifier::Show(solver::Solver& solver, const Question& question) {
   CodeDifference difference{.what = question.what};
@@ -327,6 +330,20 @@ CodeDifference UnitVerifier::Show(solver::Solver& solver, const Question& questi
   return difference;
 }
 
+bool UnitVerifier::HaveEqualOperands(solver::Solver& solver, const Question& question,
+                                     const solver::SweepLimits& limits) {
+  const terms::TermId given = question.given.valid() ? question.given : terms_.Bit(true);
+  for (const Choices choices : {Choices::kAsked, Choices::kTakenApart}) {
+    std::vector<solver::TermPair> pairs;
+    for (const PairWhere& operands : OperandPairs(terms_, {question.pair, given}, choices))
+      pairs.push_back(Where(operands.given, operands.pair));
+    if (pairs.empty()) continue;
+    const std::vector<solver::Verdict> verdicts = solver::Compare(terms_, solver, pairs, limits);
+    if (std::ranges::all_of(verdicts, [](solver::Verdict one) { return one == solver::Verdict::kEqual; })) return true;
+  }
+  return false;
+}
+
 std::vector<solver::Verdict> UnitVerifier::Compare(solver::Solver& solver, std::span<const Question> questions) {
   std::vector<solver::TermPair> pairs;
   for (const Question& question : questions) pairs.push_back(Asked(question));
@@ -351,6 +368,12 @@ std::vector<solver::Verdict> UnitVerifier::Compare(solver::Solver& solver, std::
     proof_.asked += pairs[i].a != pairs[i].b ? 1 : 0;
     if (verdicts[i] == solver::Verdict::kUndecided) open.push_back(i);
   }
+  const solver::Deadline some(solver::Clock::kProcessor, deadline_.RestMs() / kQuickShare);
+  std::erase_if(open, [&](size_t i) {
+    const bool are_equal = !some.IsOver() && HaveEqualOperands(solver, questions[i], quick);
+    if (are_equal) verdicts[i] = solver::Verdict::kEqual;
+    return are_equal;
+  });
   if (open.empty()) return verdicts;
   std::vector<solver::TermPair> rest;
   for (const size_t i : open) rest.push_back(pairs[i]);

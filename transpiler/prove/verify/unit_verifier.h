@@ -88,7 +88,11 @@ class UnitVerifier {
   void Ask(execute::Memory& memory, const CodeOutcome& outcome);
   /// What is given everywhere after loops.
   terms::TermId GivenAtEnd(const CodeOutcome& outcome);
+  /// Both where `given` holds, and 0 elsewhere.
+  solver::TermPair Where(terms::TermId given, const solver::TermPair& pair);
   solver::TermPair Asked(const Question& question);
+  /// Whether the two are one operation of operands that are equal where it is asked (operand_pairs.h).
+  bool HaveEqualOperands(solver::Solver& solver, const Question& question, const solver::SweepLimits& limits);
   std::vector<solver::Verdict> Compare(solver::Solver& solver, std::span<const Question> questions);
   /// Whether what is claimed of loops is so.
   bool DecideLoops(solver::Solver& solver);

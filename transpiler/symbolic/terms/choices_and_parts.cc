@@ -9,6 +9,17 @@
 #include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::terms {
+namespace {
+
+/// As operands of a term that is to be rebuilt: none that is there, so that it is made anew, by the rules of its kind.
+constexpr uint32_t kNoOperand = 0xFFFFFFFF;
+
+bool IsDivision(TermKind kind) {
+  return kind == TermKind::kUdiv || kind == TermKind::kUrem || kind == TermKind::kSdiv || kind == TermKind::kSrem;
+}
+
+}  // namespace
+
 TermId Terms::EqOfConst(TermId a, TermId constant) {
   const Term term = terms_[a.index];
   const uint64_t value = Value(constant);
@@ -222,11 +233,33 @@ TermId Terms::OfChoice(TermKind kind, TermId a, TermId b) {
   }
   const auto of = [&](uint32_t branch) {
     const std::array operands = {first ? TermId(branch) : a, first ? b : TermId(branch)};
-    // No term that is there: a quotient is to be made anew, by the rules of quotients.
-    constexpr uint32_t kNone = 0xFFFFFFFF;
-    return Rebuild({kind, choice.width, kNone, kNone}, operands);
+    return Rebuild({kind, choice.width, kNoOperand, kNoOperand}, operands);
   };
   return Ite(TermId(choice.a), of(choice.b), of(choice.c));
+}
+
+TermId Terms::OfSharedOperand(TermId condition, TermId then, TermId otherwise) {
+  const Term one = terms_[then.index], other = terms_[otherwise.index];
+  if (one.kind != other.kind) return {};
+  if (one.kind == TermKind::kExtract) {
+    if (one.b != other.b || terms_[one.a].width != terms_[other.a].width) return {};
+    const TermId whole = OfSharedOperand(condition, TermId(one.a), TermId(other.a));
+    return whole.valid() ? Extract(whole, static_cast<uint8_t>(one.b), one.width) : TermId();
+  }
+  const bool is_product = one.kind == TermKind::kMul;
+  if (!is_product && !IsDivision(one.kind)) return {};
+  const auto with = [&](uint32_t shared, uint32_t first, uint32_t second, bool is_left) -> TermId {
+    // A factor that is known costs far less than one that is chosen.
+    if (IsConst(TermId(first)) || IsConst(TermId(second))) return {};
+    const TermId chosen = Ite(condition, TermId(first), TermId(second));
+    const std::array operands = {is_left ? TermId(shared) : chosen, is_left ? chosen : TermId(shared)};
+    return Rebuild({one.kind, one.width, kNoOperand, kNoOperand}, operands);
+  };
+  if (one.a == other.a) return with(one.a, one.b, other.b, true);
+  if (one.b == other.b) return with(one.b, one.a, other.a, false);
+  if (is_product && one.a == other.b) return with(one.a, one.b, other.a, true);
+  if (is_product && one.b == other.a) return with(one.b, one.a, other.b, true);
+  return {};
 }
 
 TermId Terms::Ite(TermId condition, TermId then, TermId otherwise) {
@@ -281,6 +314,8 @@ TermId Terms::Ite(TermId condition, TermId then, TermId otherwise) {
     if (row == then) return Concat(Ite(condition, high, high_part), Ite(condition, rest, low_part));
     return Concat(Ite(condition, high_part, high), Ite(condition, low_part, rest));
   }
+  if (const TermId one_operation = OfSharedOperand(condition, then, otherwise); one_operation.valid())
+    return one_operation;
   return Add({TermKind::kIte, one.width, condition.index, then.index, otherwise.index});
 }
 

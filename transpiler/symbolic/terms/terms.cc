@@ -298,12 +298,21 @@ TermId Terms::Urem(TermId a, TermId b) {
   return Zext(Extract(Binary(TermKind::kUrem, a, b, width), 0, bits), width);
 }
 
+TermId Terms::OfMagnitude(TermKind kind, TermId a, TermId divisor) {
+  const TermId is_negative = Extract(a, static_cast<uint8_t>(Width(a) - 1), 1);
+  const TermId magnitude = Ite(is_negative, Neg(a), a);
+  const TermId result = kind == TermKind::kSdiv ? Udiv(magnitude, divisor) : Urem(magnitude, divisor);
+  return Ite(is_negative, Neg(result), result);
+}
+
 TermId Terms::Sdiv(TermId a, TermId b) {
+  if (IsPositiveConst(b) && !IsConst(a)) return OfMagnitude(TermKind::kSdiv, a, b);
   if (const TermId choice = OfChoice(TermKind::kSdiv, a, b); choice.valid()) return choice;
   return Binary(TermKind::kSdiv, a, b, Width(a));
 }
 
 TermId Terms::Srem(TermId a, TermId b) {
+  if (IsPositiveConst(b) && !IsConst(a)) return OfMagnitude(TermKind::kSrem, a, b);
   if (const TermId choice = OfChoice(TermKind::kSrem, a, b); choice.valid()) return choice;
   return Binary(TermKind::kSrem, a, b, Width(a));
 }

@@ -181,6 +181,13 @@ class Terms {
   TermId Where(TermId term, TermId condition, bool value);
   /// An operation of a choice and a constant as the choice of two operations, where one of them is of constants.
   TermId OfChoice(TermKind kind, TermId a, TermId b);
+  /// A choice of two products or quotients that have an operand in common, as one of a choice: c ? x * y : x * z is
+  /// x * (c ? y : z), which a solver has to look at once. None where they have none.
+  TermId OfSharedOperand(TermId condition, TermId then, TermId otherwise);
+  bool IsPositiveConst(TermId id) const { return IsConst(id) && !IsZero(id) && Value(id) >> (Width(id) - 1) == 0; }
+  /// A quotient or remainder of signed numbers, by a positive constant, as that of magnitudes: programs that say what
+  /// the least number divided by -1 is write it so, and one spelling is one term.
+  TermId OfMagnitude(TermKind kind, TermId a, TermId divisor);
   /// Two words that are put together alike, part by part where that makes a part simpler; else none.
   TermId ByParts(TermKind kind, TermId a, TermId b);
   /// The bits of `a` that are 1 in the constant, between zeros; none where they are scattered.
