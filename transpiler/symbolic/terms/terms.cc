@@ -306,14 +306,14 @@ TermId Terms::OfMagnitude(TermKind kind, TermId a, TermId divisor) {
 }
 
 TermId Terms::Sdiv(TermId a, TermId b) {
-  if (IsPositiveConst(b) && !IsConst(a)) return OfMagnitude(TermKind::kSdiv, a, b);
   if (const TermId choice = OfChoice(TermKind::kSdiv, a, b); choice.valid()) return choice;
+  if (IsPositiveConst(b) && !IsConst(a)) return OfMagnitude(TermKind::kSdiv, a, b);
   return Binary(TermKind::kSdiv, a, b, Width(a));
 }
 
 TermId Terms::Srem(TermId a, TermId b) {
-  if (IsPositiveConst(b) && !IsConst(a)) return OfMagnitude(TermKind::kSrem, a, b);
   if (const TermId choice = OfChoice(TermKind::kSrem, a, b); choice.valid()) return choice;
+  if (IsPositiveConst(b) && !IsConst(a)) return OfMagnitude(TermKind::kSrem, a, b);
   return Binary(TermKind::kSrem, a, b, Width(a));
 }
 
