@@ -79,21 +79,14 @@ std::variant<source::FileId, source::LoadError> LoadOne(source::SourceManager& s
   return sources.AddBytes(path == kStandardInput ? std::string(kStandardInputName) : path, text, options);
 }
 
-/// Nothing is said of a program then: the name is wrong.
-bool IsNoFile(const source::LoadError& error) {
-  return error.problem == source::LoadProblem::kMissing || error.problem == source::LoadProblem::kDirectory;
-}
-
 /// The text for recognition, from a source manager of its own: another dialect may read the file in another way.
-/// While no dialect is known, an unreadable file is reported in the words of all dialects. `is_missing` is set where
-/// there is none.
+/// While no dialect is known, an unreadable file is reported in the words of all dialects.
 std::string PeekText(Reader& reader, const std::string& path, const source::LoadOptions& options,
-                     diag::Engine& diagnostics, bool& is_missing) {
+                     diag::Engine& diagnostics) {
   source::SourceManager scratch;
   const auto loaded = LoadOne(scratch, reader, path, options);
   if (const auto* file = std::get_if<source::FileId>(&loaded)) return scratch.Get(*file).text;
   const auto& error = std::get<source::LoadError>(loaded);
-  is_missing = is_missing || IsNoFile(error);
   diagnostics.Report({}, diag::CannotReadSource, path, error.detail, source::RemedyOf(error.problem));
   return {};
 }
@@ -181,9 +174,8 @@ const dialects::Dialect* DialectOf(const CompilationRequest& request) {
   source::LoadOptions options;
   options.encoding = request.encoding;
   diag::Engine nobody_reads;
-  bool is_missing = false;
   return ChooseDialect(request.dialect, paths, [&](const std::string& path) {
-    return path == kStandardInput ? std::string() : PeekText(reader, path, options, nobody_reads, is_missing);
+    return path == kStandardInput ? std::string() : PeekText(reader, path, options, nobody_reads);
   });
 }
 
@@ -199,7 +191,7 @@ void LoadSources(const CompilationRequest& request, Compilation& compilation) {
   source::LoadOptions options;
   options.encoding = request.encoding;
   compilation.dialect = ChooseDialect(request.dialect, paths, [&](const std::string& path) {
-    return PeekText(reader, path, options, compilation.diagnostics, compilation.wrong_use);
+    return PeekText(reader, path, options, compilation.diagnostics);
   });
   if (compilation.diagnostics.HasErrors()) return;
   if (compilation.dialect == nullptr) {
@@ -225,8 +217,7 @@ void LoadSources(const CompilationRequest& request, Compilation& compilation) {
     } else if (error->problem == source::LoadProblem::kEmpty && compilation.dialect->reads_empty_files) {
       compilation.files.push_back(compilation.sources->AddText(path, ""));
     } else {
-      compilation.wrong_use = compilation.wrong_use || IsNoFile(*error);
-      compilation.dialect->report_load_error(path, *error, compilation.diagnostics);
+      compilation.dialect->report_load_error(path, std::get<source::LoadError>(loaded), compilation.diagnostics);
     }
   }
   compilation.load = MakeLoader(request, compilation.sources.get(), options);

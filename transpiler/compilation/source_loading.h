@@ -10,8 +10,7 @@
 namespace plcxx::compilation {
 
 /// Chooses the dialect, loads every source and makes the loader for files that options name.
-/// What is wrong is reported; `wrong_use` tells faults of the command line, files that are not there among them, from
-/// files that cannot be read.
+/// What is wrong is reported; `wrong_use` tells faults of the command line from unreadable files.
 void LoadSources(const CompilationRequest& request, Compilation& compilation);
 
 /// The dialect that LoadSources would choose; none when it cannot be told. Reads no standard input.

@@ -107,7 +107,8 @@ std::string Rendered(const review::diff::Diff& diff, const DiffNames& names, con
 bool IsUsable(const review::diff::DiffSide& side, const DiffSettings& settings) {
   if (side.compilation.ok() && side.compilation.has_program) return true;
   PrintDiagnosticsBeside(side.compilation, MessagesOf(settings.common));
-  if (side.compilation.wrong_use) return false;  // which names the file
+  // What was wrong with a file or an option has named it.
+  if (side.compilation.wrong_use || !side.compilation.reached) return false;
   PrintUsageError("'" + side.label +
                   "' cannot be compared: " + (side.compilation.ok() ? "it has no program" : "it has errors"));
   return false;
