@@ -119,12 +119,10 @@ int GuardedMain(int argc, char** argv) {
   }
 }
 
-/// A chain of DOE members is a nest of else arms, and the phases walk regions by recursion: what a long chain needs is
-/// stack.
+/// What a long chain of nested statements needs is stack (beside_work.h).
 int MainOnDeepStack(int argc, char** argv) {
-  constexpr size_t kStackBytes = size_t{256} << 20;
   int code = kInternalFault;
-  support::RunOnDeepStack(kStackBytes, [&] { code = GuardedMain(argc, argv); });
+  support::RunOnDeepStack(support::kDeepStackBytes, [&] { code = GuardedMain(argc, argv); });
   return code;
 }
 

@@ -10,6 +10,10 @@
 
 namespace plcxx::support {
 
+/// Of the command line, and of what runs beside it and follows the same nesting. A chain of DOE members is a nest of
+/// else arms, and the phases walk regions by recursion.
+inline constexpr size_t kDeepStackBytes = size_t{256} << 20;
+
 class BesideWork {
  public:
   /// `stack_bytes`: address space, of which only what is used becomes memory. Where that much is not to be had, a

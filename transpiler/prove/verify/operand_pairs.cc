@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "transpiler/symbolic/terms/cone.h"
+#include "transpiler/symbolic/terms/division.h"
 
 namespace plcxx::prove::verify {
 namespace {
@@ -12,36 +13,8 @@ namespace {
 constexpr size_t kMostPairs = 8;
 constexpr size_t kMostOpen = 64;
 
-bool IsLaborious(terms::TermKind kind) {
-  switch (kind) {
-    case terms::TermKind::kMul:
-    case terms::TermKind::kUdiv:
-    case terms::TermKind::kUrem:
-    case terms::TermKind::kSdiv:
-    case terms::TermKind::kSrem:
-      return true;
-    case terms::TermKind::kConst:
-    case terms::TermKind::kVariable:
-    case terms::TermKind::kNot:
-    case terms::TermKind::kAnd:
-    case terms::TermKind::kOr:
-    case terms::TermKind::kXor:
-    case terms::TermKind::kAdd:
-    case terms::TermKind::kSub:
-    case terms::TermKind::kShl:
-    case terms::TermKind::kLshr:
-    case terms::TermKind::kAshr:
-    case terms::TermKind::kEq:
-    case terms::TermKind::kUlt:
-    case terms::TermKind::kSlt:
-    case terms::TermKind::kIte:
-    case terms::TermKind::kConcat:
-    case terms::TermKind::kExtract:
-    case terms::TermKind::kApply:
-      return false;
-  }
-  return false;
-}
+/// What a solver does bit by bit.
+bool IsLaborious(terms::TermKind kind) { return kind == terms::TermKind::kMul || terms::IsDivision(kind); }
 
 /// The operands of two operations that are the same but for these; empty: they are not the same.
 std::vector<solver::TermPair> Operands(const terms::Terms& terms, const solver::TermPair& pair) {

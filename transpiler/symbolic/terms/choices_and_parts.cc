@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "transpiler/symbolic/terms/division.h"
 #include "transpiler/symbolic/terms/magnitude.h"
 #include "transpiler/symbolic/terms/sign_extended.h"
 #include "transpiler/symbolic/terms/terms.h"
@@ -13,10 +14,6 @@ namespace {
 
 /// As operands of a term that is to be rebuilt: none that is there, so that it is made anew, by the rules of its kind.
 constexpr uint32_t kNoOperand = 0xFFFFFFFF;
-
-bool IsDivision(TermKind kind) {
-  return kind == TermKind::kUdiv || kind == TermKind::kUrem || kind == TermKind::kSdiv || kind == TermKind::kSrem;
-}
 
 }  // namespace
 

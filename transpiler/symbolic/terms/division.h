@@ -1,6 +1,6 @@
 // Divisions by constants as compilers write them, recognized: one spelling for both sides.
 //
-// Not its job: signed divisions, and divisors that are powers of two (terms.cc).
+// Not its job: to recognize signed divisions, and divisors that are powers of two (terms.cc).
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,11 @@
 #include "transpiler/symbolic/terms/terms.h"
 
 namespace plcxx::terms {
+
+/// Quotients and remainders, of signed numbers as well.
+constexpr bool IsDivision(TermKind kind) {
+  return kind == TermKind::kUdiv || kind == TermKind::kUrem || kind == TermKind::kSdiv || kind == TermKind::kSrem;
+}
 
 /// x * m >> shift where that is x / d for every x; else none. `product` is the product.
 TermId QuotientOfProduct(Terms& terms, TermId product, uint8_t shift);

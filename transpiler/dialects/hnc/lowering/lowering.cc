@@ -50,9 +50,6 @@ namespace {
 
 using HasErrors = std::function<bool()>;
 
-/// As deep as the stack on which the lowering follows the same nesting.
-constexpr size_t kStackOfChecks = size_t{256} << 20;
-
 /// The collaborators of one lowering. Each is given those that it uses, and no other; those that evaluate expressions
 /// and those that lower statements use each other, as the language nests them.
 class Lowering {
@@ -149,7 +146,7 @@ ir::Program Lower(const Unit& unit, const Objects& objects, const Facts& facts, 
   };
   // Beside one another, as both only read the tree: checks take more than a quarter of the time of the two.
   diag::Engine of_lowering = diagnostics.Fork();
-  support::BesideWork checks(kStackOfChecks, [&] { Check(unit, objects, facts, sources, diagnostics); });
+  support::BesideWork checks(support::kDeepStackBytes, [&] { Check(unit, objects, facts, sources, diagnostics); });
   const uint32_t before = of_lowering.error_count();
   const auto has_errors_of_checks = [&] {
     checks.Wait();
