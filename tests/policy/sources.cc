@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <future>
 #include <map>
 #include <set>
@@ -167,6 +169,22 @@ Findings CheckLeftovers(const std::string& root) {
       }
     }
   }
+  return findings;
+}
+
+Findings CheckScripts(const std::string& root) {
+  namespace fs = std::filesystem;
+  Findings findings;
+  size_t found = 0;
+  for (const std::string& file : FilesBelow(root, "")) {
+    char start[2] = {};
+    if (!std::ifstream(root + "/" + file, std::ios::binary).read(start, 2) || start[0] != '#' || start[1] != '!')
+      continue;
+    ++found;
+    if ((fs::status(root + "/" + file).permissions() & fs::perms::owner_exec) == fs::perms::none)
+      findings.push_back(Place(file, 1) + "not executable");
+  }
+  if (found == 0) findings.push_back("there are no scripts");
   return findings;
 }
 

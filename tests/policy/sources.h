@@ -23,4 +23,7 @@ Findings CheckFormat(const std::string& root);
 /// Tests that write elsewhere than into tests/temporary_directory.h's directories.
 Findings CheckLeftovers(const std::string& root);
 
+/// Files that begin with `#!` and may not be executed: where one is the command of a test, the test cannot start.
+Findings CheckScripts(const std::string& root);
+
 }  // namespace plcxx::policy

@@ -52,5 +52,15 @@ TEST(Leftovers, FixtureDoes) {
   EXPECT_THAT(CheckLeftovers(Fixture("leftovers")), ElementsAre(HasSubstr("tests/leaves_files_test.cc:2: 'TempDir('")));
 }
 
+TEST(Scripts, MayBeExecuted) { EXPECT_THAT(CheckScripts(Root()), IsEmpty()); }
+
+TEST(Scripts, FixtureHasOneThatMayNot) {
+  EXPECT_THAT(CheckScripts(Fixture("scripts")), ElementsAre("dev/forgotten:1: not executable"));
+}
+
+TEST(Scripts, ARuleWithoutScriptsFails) {
+  EXPECT_THAT(CheckScripts(Fixture("generated")), ElementsAre("there are no scripts"));
+}
+
 }  // namespace
 }  // namespace plcxx::policy
