@@ -1,9 +1,10 @@
 """Runs the tool under the limits that nothing may exceed, and says what is wrong with how it ended."""
+import functools
 import os
 import resource
+import select
 import subprocess
 import tempfile
-import time
 
 MOST_BYTES = 1 << 30
 SANITIZER_EXIT = 99
@@ -16,7 +17,10 @@ sanitized = False  # the tool is built with sanitizers: it takes more memory and
 most = {"MB": 0, "seconds": 0.0}  # of all runs so far
 
 
-def limit():
+@functools.cache
+def limit_children():
+    """Limits of this process, which its children inherit: Python copies all of a large process for each child that sets
+    its own ones."""
     if not sanitized:
         resource.setrlimit(resource.RLIMIT_AS, (3 * MOST_BYTES, 3 * MOST_BYTES))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
@@ -42,25 +46,31 @@ def own_kilobytes():
     return pages * resource.getpagesize() // 1024
 
 
+def ends_within(child, seconds):
+    ended = os.pidfd_open(child)
+    try:
+        poll = select.poll()
+        poll.register(ended, select.POLLIN)
+        return bool(poll.poll(1000 * seconds))
+    finally:
+        os.close(ended)
+
+
 def run(command, folder, seconds, safe_output):
     """What is wrong, or None; and the exit code."""
+    limit_children()
     if sanitized:
         seconds *= 10
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as errors:
         own = own_kilobytes()
-        begin = time.monotonic()
         process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=out, stderr=errors,
-                                   preexec_fn=limit, start_new_session=True, env=environment())
-        while True:
-            done, status, usage = os.wait4(process.pid, os.WNOHANG)
-            if done:
-                break
-            if time.monotonic() - begin > seconds:
-                os.killpg(process.pid, 9)
-                os.wait4(process.pid, 0)
-                process.returncode = -9
-                return f"hang: over {seconds} s", -9
-            time.sleep(0.002)
+                                   start_new_session=True, env=environment())
+        if not ends_within(process.pid, seconds):
+            os.killpg(process.pid, 9)
+            os.wait4(process.pid, 0)
+            process.returncode = -9
+            return f"hang: over {seconds} s", -9
+        _, status, usage = os.wait4(process.pid, 0)
         code = process.returncode = os.waitstatus_to_exitcode(status)
         # A child begins as a copy of this process: what is not above our own size at that time is ours.
         taken = usage.ru_maxrss if usage.ru_maxrss > own * 1.1 + 20_000 else 0

@@ -2,6 +2,7 @@
 """Mutates whole cases (sources, scenario, options, names of files) and gives them to every subcommand.
 
     run.py PLCXX ROOT --seconds 60 [--seed N] [--jobs N] [--keep DIR]
+    run.py PLCXX ROOT --cases 2000 ...
 
 Also whole files (encodings, line ends, 100,000 brackets, endless lines) and options that nobody meant. No crash, no exit 3,
 no hang, no memory above 1 GB, and no byte in a message that acts on a terminal. What breaks this
@@ -10,6 +11,7 @@ is kept in DIR: the files, and the command in `command`.
 import argparse
 import concurrent.futures
 import dataclasses
+import math
 import pathlib
 import random
 import resource
@@ -92,7 +94,8 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("plcxx", type=lambda path: str(pathlib.Path(path).resolve()))
     parser.add_argument("root", type=pathlib.Path)
-    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--seconds", type=float, help="else 60, or as long as --cases take")
+    parser.add_argument("--cases", type=int, help="so many: the same ones on every machine")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=2)
@@ -107,14 +110,15 @@ def main():
     cases = list(corpus.cases(args.root, args.dialects.split(",")))
     pool = {dialect: [data for case in cases if case.dialect == dialect for data in case.files.values()] or [b""]
             for dialect in corpus.DIALECTS}
-    end = time.monotonic() + args.seconds
+    end = time.monotonic() + (args.seconds or (math.inf if args.cases else 60))
+    last = args.first + args.cases if args.cases else math.inf
     done = faults = 0
     too_large = False
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool_of_threads:
         running = set()
         number = args.first
-        while time.monotonic() < end or running:
-            while time.monotonic() < end and len(running) < args.jobs * 2:
+        while running or (time.monotonic() < end and number < last):
+            while time.monotonic() < end and number < last and len(running) < args.jobs * 2:
                 running.add(pool_of_threads.submit(attempt, number, args, cases, pool))
                 number += 1
             ready, running = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
