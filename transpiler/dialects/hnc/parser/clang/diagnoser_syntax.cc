@@ -1,5 +1,6 @@
 // Where the syntax breaks, and what was meant there: notations of the manual and of other languages.
 #include <clang/AST/Decl.h>
+#include <clang/Basic/DiagnosticLex.h>
 #include <clang/Basic/DiagnosticParse.h>
 #include <clang/Basic/DiagnosticSema.h>
 #include <clang/Lex/Preprocessor.h>
