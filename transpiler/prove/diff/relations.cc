@@ -14,6 +14,7 @@
 #include "transpiler/prove/machine/inputs.h"
 #include "transpiler/prove/machine/sets.h"
 #include "transpiler/support/low_bits.h"
+#include "transpiler/support/mixed.h"
 #include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::prove::diff {
@@ -175,8 +176,7 @@ void Observed::AddState() {
       for (const VariablePart& part : seen.parts) value = value << part.width | run_.ValueOf(part);
       value = value >> seen.number.low & support::LowBits(seen.number.width);
       seen.values.push_back(value);
-      hash = (hash ^ value) * 0x9E3779B97F4A7C15;
-      hash ^= hash >> 31;
+      hash = support::Mixed(hash, value);
     }
   }
   if (kept_.insert(hash).second) {

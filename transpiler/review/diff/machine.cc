@@ -2,6 +2,7 @@
 
 #include "transpiler/review/diff/runs.h"
 #include "transpiler/scenarios/plan.h"
+#include "transpiler/support/mixed.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -158,16 +159,16 @@ void DiffMachine::Look() {
   LookAtMemory();
   events_ = simulator_.TakeEvents();
   for (const sim::HostEvent& event : events_) {
-    const auto add = [](uint64_t& hash, uint64_t value) { hash = (hash ^ value) * 0x9E3779B97F4A7C15; };
     uint64_t& own = calls_[event.function.index];
-    for (const uint64_t argument : event.arguments) add(own, argument);
-    own = (own ^ (own >> 31)) + 1;
+    for (const uint64_t argument : event.arguments) own = support::Mixed(own, argument);
+    ++own;
     if (!version_.cells.is_ordered[event.function.index]) continue;
     // By its name: two versions number their functions differently.
     uint64_t& all = calls_.back();
-    for (const char c : program_.host_functions[event.function].name) add(all, static_cast<unsigned char>(c));
-    for (const uint64_t argument : event.arguments) add(all, argument);
-    all = (all ^ (all >> 31)) + 1;
+    for (const char c : program_.host_functions[event.function].name)
+      all = support::Mixed(all, static_cast<unsigned char>(c));
+    for (const uint64_t argument : event.arguments) all = support::Mixed(all, argument);
+    ++all;
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "transpiler/prove/diff/runs_from.h"
 #include "transpiler/prove/machine/transition.h"
+#include "transpiler/support/mixed.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -23,11 +24,6 @@ constexpr uint32_t kAimedPasses = 4;             // whole slow passes that the s
 constexpr uint64_t kMostShownPeriods = 100'000;  // of a run to a moment that is kept
 constexpr std::array<uint32_t, 3> kWaitsMs = {1500, 4000, 25'000};
 constexpr uint32_t kWatchedPeriods = 60;  // of a wait, one by one; the rest in larger pieces
-
-uint64_t Mixed(uint64_t hash, uint64_t value) {
-  hash = (hash ^ value) * 0x9E3779B97F4A7C15;
-  return hash ^ (hash >> 29);
-}
 
 }  // namespace
 
@@ -145,9 +141,9 @@ uint64_t DirectedSearch::Signature() const {
   for (const CellId cell : read_by_changed_) {
     const uint64_t value = old_machine_.Seen(cell);
     // Of a number its magnitude.
-    hash = Mixed(hash, value <= 1 ? value : 2 + static_cast<uint64_t>(std::bit_width(value)));
+    hash = support::Mixed(hash, value <= 1 ? value : 2 + static_cast<uint64_t>(std::bit_width(value)));
     const uint64_t other = new_machine_.Seen(match_.new_of_old[cell.index]);
-    if (other != value) hash = Mixed(hash, 7);
+    if (other != value) hash = support::Mixed(hash, 7);
   }
   return hash;
 }

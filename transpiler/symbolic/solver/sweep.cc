@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "transpiler/support/mixed.h"
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/evaluate.h"
 #include "transpiler/symbolic/terms/form.h"
@@ -92,8 +93,7 @@ void Sweeper::EvaluateVector(const std::function<uint64_t(uint32_t variable, uin
 void Sweeper::AddToSignature(terms::TermId id, uint64_t value) {
   values_[id.index] = value;
   uint64_t& signature = signatures_[id.index];
-  signature = (signature ^ value) * 0x9E3779B97F4A7C15;
-  signature ^= signature >> 32;
+  signature = support::Mixed(signature, value);
 }
 
 void Sweeper::EvaluateLikelyVector(int vector, terms::LikelyValues& likely) {

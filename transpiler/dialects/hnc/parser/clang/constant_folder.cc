@@ -1,7 +1,7 @@
 #include "transpiler/dialects/hnc/parser/clang/constant_folder.h"
 
 #include <cmath>
-#include <limits>
+#include <type_traits>
 
 namespace plcxx::hnc {
 namespace {
@@ -57,63 +57,41 @@ std::optional<bool> Compared(BinaryOp op, Number a, Number b) {
   return std::nullopt;
 }
 
-std::optional<double> Real(BinaryOp op, double a, double b) {
+/// Integers are not wrapped: they fit into 33 bits, so nothing overflows but products, which wrap in 64 bits to the
+/// same low bits.
+template <class Number>
+std::optional<Number> Computed(BinaryOp op, Number a, Number b) {
+  constexpr bool kIsReal = std::is_floating_point_v<Number>;
   switch (op) {
     case BinaryOp::kAdd:
       return a + b;
     case BinaryOp::kSubtract:
       return a - b;
     case BinaryOp::kMultiply:
-      return a * b;
+      if constexpr (kIsReal) {
+        return a * b;
+      } else {
+        return static_cast<Number>(static_cast<uint64_t>(a) * static_cast<uint64_t>(b));
+      }
     case BinaryOp::kDivide:
-      return a / b;
+      return kIsReal || b != 0 ? std::optional(a / b) : std::nullopt;
     case BinaryOp::kRemainder:
-    case BinaryOp::kShiftLeft:
-    case BinaryOp::kShiftRight:
-    case BinaryOp::kBitAnd:
-    case BinaryOp::kBitXor:
-    case BinaryOp::kBitOr:
-    case BinaryOp::kLess:
-    case BinaryOp::kGreater:
-    case BinaryOp::kLessEqual:
-    case BinaryOp::kGreaterEqual:
-    case BinaryOp::kEqual:
-    case BinaryOp::kNotEqual:
-    case BinaryOp::kPointerAdd:
-    case BinaryOp::kPointerSubtract:
-    case BinaryOp::kPointerDifference:
+      if constexpr (!kIsReal) return b == 0 ? std::nullopt : std::optional(a % b);
       break;
-  }
-  return std::nullopt;
-}
-
-/// Not wrapped; a, b fit into 33 bits, so nothing overflows but products, which wrap in 64 bits to the same low bits.
-std::optional<int64_t> Exact(BinaryOp op, int64_t a, int64_t b) {
-  switch (op) {
-    case BinaryOp::kAdd:
-      return a + b;
-    case BinaryOp::kSubtract:
-      return a - b;
-    case BinaryOp::kMultiply:
-      return static_cast<int64_t>(static_cast<uint64_t>(a) * static_cast<uint64_t>(b));
-    case BinaryOp::kDivide:
-      return b == 0 ? std::nullopt : std::optional(a / b);
-    case BinaryOp::kRemainder:
-      return b == 0 ? std::nullopt : std::optional(a % b);
     case BinaryOp::kBitAnd:
-      return a & b;
+      if constexpr (!kIsReal) return a & b;
+      break;
     case BinaryOp::kBitXor:
-      return a ^ b;
+      if constexpr (!kIsReal) return a ^ b;
+      break;
     case BinaryOp::kBitOr:
-      return a | b;
+      if constexpr (!kIsReal) return a | b;
+      break;
+#define HNC_BINARY(...)
+#define HNC_COMPARISON(Key, ...) case BinaryOp::k##Key:
+#include "transpiler/dialects/hnc/syntax/binary_operators.def"
     case BinaryOp::kShiftLeft:
     case BinaryOp::kShiftRight:
-    case BinaryOp::kLess:
-    case BinaryOp::kGreater:
-    case BinaryOp::kLessEqual:
-    case BinaryOp::kGreaterEqual:
-    case BinaryOp::kEqual:
-    case BinaryOp::kNotEqual:
     case BinaryOp::kPointerAdd:
     case BinaryOp::kPointerSubtract:
     case BinaryOp::kPointerDifference:
@@ -157,7 +135,7 @@ std::optional<Constant> ConstantFolder::FoldBinary(const Expr& expr) {
   const Type& type = unit_.types[expr.type];
   if (operands.kind == TypeKind::kReal) {
     if (const auto truth = Compared(expr.binary, left.constant->real, right.constant->real)) return OfInteger(*truth);
-    const auto real = Real(expr.binary, left.constant->real, right.constant->real);
+    const auto real = Computed(expr.binary, left.constant->real, right.constant->real);
     return real ? std::optional(OfReal(*real)) : std::nullopt;
   }
   if (operands.kind != TypeKind::kInteger) return std::nullopt;
@@ -166,7 +144,7 @@ std::optional<Constant> ConstantFolder::FoldBinary(const Expr& expr) {
   if (expr.binary == BinaryOp::kShiftLeft || expr.binary == BinaryOp::kShiftRight) {
     return OfInteger(Shifted(a, b, type, expr.binary == BinaryOp::kShiftLeft));
   }
-  const std::optional<int64_t> exact = Exact(expr.binary, a, b);
+  const std::optional<int64_t> exact = Computed(expr.binary, a, b);
   if (!exact) return std::nullopt;
   const int64_t wrapped = Wrapped(*exact, type);
   if (wrapped != *exact && type.is_signed && expr.range.begin != 0) {
