@@ -57,13 +57,13 @@ inline const DiffItem* ItemNamed(const Diff& diff, const std::string& name) {
 /// As ComparedTexts, of versions of which something may stay open beside the differences that are looked for: all of
 /// the time would be used for that, so much of it is given only where a first comparison has not shown them.
 inline Diff ComparedUntilShown(const Language& language, const std::string& old_text, const std::string& new_text,
-                               const std::vector<std::string>& differences) {
+                               const std::vector<std::string>& differences, uint64_t most_ms = 60'000) {
   Diff diff = ComparedTexts(language, old_text, new_text, {.time_ms = 4'000});
   const bool are_shown = std::ranges::all_of(differences, [&](const std::string& name) {
     const DiffItem* const item = ItemNamed(diff, name);
     return item != nullptr && item->verdict == ItemVerdict::kDifferent;
   });
-  return are_shown ? diff : ComparedTexts(language, old_text, new_text);
+  return are_shown ? diff : ComparedTexts(language, old_text, new_text, {.time_ms = most_ms});
 }
 
 }  // namespace plcxx::review::diff
