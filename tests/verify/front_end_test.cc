@@ -178,6 +178,7 @@ constexpr Program kProved[] = {
     {"critical_section", "asm cli\nn++;\nasm sti\n"},
     {"annotated_loop", "/*@loop_bound 9@*/\nwhile (n != X[0]) n++;"},
     {"control", "set_axis_home(1, n); l = get_axis_pos(2);"},
+    {"control_that_gives_a_bit", "l = get_axis_den(n); uc = get_axis_pos(0) > get_axis_den(0);"},
     {"order_of_arguments", "n = two(n++, n++);"},
     {"pointers_as_parameters", "swap(&n, &m); swap(&t[n & 3], n > 5 ? &m : &n);",
      "void swap(int *a, int *b) { int c = *a; *a = *b; *b = c; }\n"},

@@ -8,6 +8,7 @@
 #include "transpiler/emit/emittable.h"
 #include "transpiler/prove/verify/compiled_code.h"
 #include "transpiler/prove/verify/replaced_call.h"
+#include "transpiler/prove/verify/result_range.h"
 #include "transpiler/prove/verify/state_image.h"
 #include "transpiler/prove/verify/units.h"
 #include "transpiler/prove/verify/verify.h"
@@ -50,9 +51,9 @@ struct VerifiedProgram {
   void AddUnknown(UnitId unit) {
     if (!unit.valid()) return;
     is_unknown[unit.index] = true;
-    calls[unit.index] =
-        std::make_unique<ReplacedCall>(emittable, cells, image, units[unit], shape.passes,
-                                       ParametersOf(emittable, units[unit], shape.passes), std::nullopt);
+    calls[unit.index] = std::make_unique<ReplacedCall>(emittable, cells, image, units[unit], shape.passes,
+                                                       ParametersOf(emittable, units[unit], shape.passes),
+                                                       RangeOfResult(ir, units[unit]));
   }
 };
 
