@@ -154,6 +154,40 @@ TEST(Division, BoundedNumbersAreDividedAlike) {
   }
 }
 
+/// All parts of quotients and remainders of a number of 8 bits, for every number; above what they reach there are
+/// zeros.
+TEST(Division, PartsOfQuotientsAndRemainders) {
+  constexpr uint8_t kBits = 8;
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", kBits);
+  struct Part {
+    terms::TermId whole, part;
+    uint8_t low, width;
+  };
+  std::vector<Part> all;
+  size_t zeros = 0;
+  for (const uint64_t divisor : {3, 7, 10, 100, 129}) {
+    const terms::TermId by = terms.Const(divisor, kBits);
+    for (const terms::TermId whole :
+         {terms.Udiv(x, by), terms.Urem(x, by), terms.Udiv(terms.Urem(x, by), terms.Const(10, kBits))}) {
+      for (uint8_t low = 0; low < kBits; ++low) {
+        for (uint8_t width = 1; low + width <= kBits; ++width) {
+          all.push_back({whole, terms.Extract(whole, low, width), low, width});
+          if (terms.IsZero(all.back().part)) ++zeros;
+        }
+      }
+    }
+  }
+  EXPECT_GT(zeros, 100U);
+  EXPECT_TRUE(terms.IsZero(terms.Extract(terms.Urem(x, terms.Const(10, kBits)), 4, 4)));
+  for (uint64_t value = 0; value >> kBits == 0; ++value) {
+    const std::array variables = {value};
+    const std::vector<uint64_t> values = terms::EvaluateAll(terms, variables, terms::TermId(terms.size() - 1));
+    for (const Part& one : all)
+      ASSERT_EQ(values[one.part.index], terms::Masked(values[one.whole.index] >> one.low, one.width));
+  }
+}
+
 TEST(Division, ComparisonsHaveOneSpelling) {
   terms::Terms terms;
   const terms::TermId x = terms.Variable("x", 16);

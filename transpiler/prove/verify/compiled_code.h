@@ -82,6 +82,10 @@ class CodeEnvironment {
   /// Does what the host does to `memory`, and gives its result. A reason in `refusal` ends the execution.
   virtual terms::TermId CallHost(CodeMemory& memory, const HostRequest& request, std::string& refusal) = 0;
 
+  /// Whether a condition of width 1 is known never to hold: asked for each further round of a loop of which the terms
+  /// alone do not say that it has ended.
+  virtual bool NeverHolds(terms::TermId) { return false; }
+
   /// A loop begins that is not unrolled; loops inside it are opened and closed before it is closed.
   virtual void OpenLoop() {}
   /// What its items are at the head of any round. Asked again with more items where the round changes others.

@@ -12,6 +12,7 @@
 
 #include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/terms/cone.h"
+#include "transpiler/symbolic/terms/division.h"
 #include "transpiler/symbolic/terms/evaluate.h"
 #include "transpiler/symbolic/terms/form.h"
 #include "transpiler/symbolic/terms/index_bits.h"
@@ -25,7 +26,7 @@ constexpr int kVectors = 48;
 constexpr size_t kMostCandidates = 3;  // of one class that a term is compared with
 constexpr size_t kMostCopied = 600;    // terms of one question
 constexpr uint32_t kQuestionMs = 300;  // for terms inside
-constexpr uint32_t kFirstMs = 200;     // for the pairs themselves, at each depth
+constexpr uint32_t kFirstMs = 200;     // for the pairs themselves, for each cut
 constexpr uint32_t kLastMs = 2000;     // for those that are open then
 constexpr int kQuestionVectors = 64;
 constexpr uint32_t kMostBits = 10;  // of variables of which all values are tried
@@ -36,6 +37,14 @@ constexpr size_t kMostTermsOfForm = 2000;
 bool OnlyConnects(terms::TermKind kind) {
   return kind == terms::TermKind::kNot || kind == terms::TermKind::kConcat || kind == terms::TermKind::kExtract;
 }
+
+/// How a question is cut out of its terms: what is shared, `shared` such terms down, becomes a variable.
+struct Cut {
+  int shared = 0;
+  /// Conditions are no such terms: that of several on one index at most one holds is seen nowhere else. Products and
+  /// quotients become variables wherever they are met: what is written does not depend on where it is.
+  bool opens_conditions = false;
+};
 
 enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
 
@@ -59,9 +68,9 @@ class LocalSweep {
   void SweepTerm(terms::TermId id);
   /// A choice in a choice that is the same without the outer one, whose condition follows from the inner one's.
   terms::TermId WithoutImplied(terms::TermId id);
-  bool AreEqual(terms::TermId a, terms::TermId b, std::span<const int> depths, uint32_t milliseconds);
-  /// A copy of both in which what is shared, `depth` shared terms down, is a variable. None: it is too large.
-  std::optional<solver::TermPair> Copy(const solver::TermPair& pair, int depth);
+  bool AreEqual(terms::TermId a, terms::TermId b, std::span<const Cut> cuts, uint32_t milliseconds);
+  /// None: it is too large.
+  std::optional<solver::TermPair> Copy(const solver::TermPair& pair, const Cut& cut);
   terms::TermId CutOf(terms::TermId id);
   /// What values of its variables say of a condition, samples or all that there are: most questions need no solver.
   solver::Answer AskValues(terms::TermId condition);
@@ -145,10 +154,10 @@ terms::TermId LocalSweep::CutOf(terms::TermId id) {
   return cut;
 }
 
-std::optional<solver::TermPair> LocalSweep::Copy(const solver::TermPair& pair, int depth) {
+std::optional<solver::TermPair> LocalSweep::Copy(const solver::TermPair& pair, const Cut& cut) {
   // Operands are older than what is made of them: when a term's turn comes, all that leads to it has been looked at, so
   // that it is cut everywhere or nowhere.
-  std::map<uint32_t, int, std::greater<>> left = {{pair.a.index, depth}, {pair.b.index, depth}};
+  std::map<uint32_t, int, std::greater<>> left = {{pair.a.index, cut.shared}, {pair.b.index, cut.shared}};
   std::vector<terms::TermId> inside;
   copies_.clear();
   while (!left.empty()) {
@@ -160,8 +169,9 @@ std::optional<solver::TermPair> LocalSweep::Copy(const solver::TermPair& pair, i
       copies_.emplace(index, id);
       continue;
     }
-    const bool counts = IsShared(id) && !OnlyConnects(term.kind) && id != pair.a && id != pair.b;
-    if (counts && most == 0) {
+    const bool counts = IsShared(id) && !OnlyConnects(term.kind) && !(cut.opens_conditions && term.width == 1) &&
+                        id != pair.a && id != pair.b;
+    if (counts && (most == 0 || (cut.opens_conditions && terms::IsLaborious(term.kind)))) {
       copies_.emplace(index, CutOf(id));
       continue;
     }
@@ -254,11 +264,11 @@ solver::Answer LocalSweep::Ask(terms::TermId condition, uint32_t milliseconds) {
   return known.answer;
 }
 
-bool LocalSweep::AreEqual(terms::TermId a, terms::TermId b, std::span<const int> depths, uint32_t milliseconds) {
+bool LocalSweep::AreEqual(terms::TermId a, terms::TermId b, std::span<const Cut> cuts, uint32_t milliseconds) {
   if (a == b) return true;
-  for (const int depth : depths) {
+  for (const Cut& cut : cuts) {
     cut_ = false;
-    const std::optional<solver::TermPair> copy = Copy({a, b}, depth);
+    const std::optional<solver::TermPair> copy = Copy({a, b}, cut);
     if (!copy) return false;
     const terms::TermId differ = terms_.Ne(copy->a, copy->b);
     if (terms_.IsFalse(differ)) return true;
@@ -284,7 +294,7 @@ terms::TermId LocalSweep::WithoutImplied(terms::TermId id) {
 }
 
 void LocalSweep::SweepTerm(terms::TermId id) {
-  constexpr int kDepths[] = {0, 2};
+  constexpr Cut kCuts[] = {{0}, {2}};
   const terms::Term term = terms_[id];
   std::vector<terms::TermId> operands;
   bool changed = false;
@@ -301,7 +311,7 @@ void LocalSweep::SweepTerm(terms::TermId id) {
       const terms::TermId other = Representative(*member);
       if (sides_[member->index] == kSideB || terms_.Width(other) != term.width) continue;
       ++tried;
-      if (!AreEqual(now, other, kDepths, kQuestionMs)) continue;
+      if (!AreEqual(now, other, kCuts, kQuestionMs)) continue;
       now = other;
       break;
     }
@@ -313,7 +323,7 @@ void LocalSweep::SweepTerm(terms::TermId id) {
 }
 
 std::vector<solver::TermPair> LocalSweep::Run() {
-  constexpr int kDepths[] = {0, 1, 3, 8, 20};
+  constexpr Cut kCuts[] = {{0}, {0, true}, {2, true}, {1}, {3}, {8}, {20}};
   std::vector<solver::TermPair> alike(pairs_.begin(), pairs_.end());
   if (std::ranges::all_of(alike, [](const solver::TermPair& pair) { return pair.a == pair.b; })) return alike;
   MarkCones();
@@ -325,8 +335,8 @@ std::vector<solver::TermPair> LocalSweep::Run() {
     pair = {Representative(pair.a), Representative(pair.b)};
     // What takes long at one depth is often answered at once at the next one, which knows more.
     has_unknown_ = false;
-    bool are_equal = AreEqual(pair.a, pair.b, kDepths, kFirstMs);
-    if (!are_equal && has_unknown_) are_equal = AreEqual(pair.a, pair.b, kDepths, kLastMs);
+    bool are_equal = AreEqual(pair.a, pair.b, kCuts, kFirstMs);
+    if (!are_equal && has_unknown_) are_equal = AreEqual(pair.a, pair.b, kCuts, kLastMs);
     if (are_equal) pair.b = pair.a;
   }
   return alike;

@@ -13,9 +13,6 @@ namespace {
 constexpr size_t kMostPairs = 8;
 constexpr size_t kMostOpen = 64;
 
-/// What a solver does bit by bit.
-bool IsLaborious(terms::TermKind kind) { return kind == terms::TermKind::kMul || terms::IsDivision(kind); }
-
 /// The operands of two operations that are the same but for these; empty: they are not the same.
 std::vector<solver::TermPair> Operands(const terms::Terms& terms, const solver::TermPair& pair) {
   const terms::Term a = terms[pair.a], b = terms[pair.b];
@@ -40,7 +37,7 @@ class LaboriousTerms {
  public:
   LaboriousTerms(const terms::Terms& terms, const solver::TermPair& pair) : is_one_(terms.size()) {
     for (const terms::TermId id : terms::ConeOf(terms, std::array{pair.a, pair.b})) {
-      bool is_one = IsLaborious(terms[id].kind);
+      bool is_one = terms::IsLaborious(terms[id].kind);
       terms.ForEachOperand(terms[id], [&](terms::TermId operand) { is_one = is_one || is_one_[operand.index]; });
       is_one_[id.index] = is_one;
     }
@@ -85,7 +82,7 @@ std::vector<PairWhere> OperandPairs(terms::Terms& terms, const PairWhere& asked,
       pairs.push_back(next);
       continue;
     }
-    is_less = is_less || IsLaborious(kind);
+    is_less = is_less || terms::IsLaborious(kind);
     if (open.size() + all.size() > kMostOpen) return {};
     for (const solver::TermPair& operands : all) {
       const auto is_known = [&](const PairWhere& one) {

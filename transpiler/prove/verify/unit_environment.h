@@ -67,13 +67,15 @@ class Replaced : public execute::ReplacedParts {
 class UnitEnvironment : public HostEnvironment {
  public:
   UnitEnvironment(terms::Terms& terms, const VerifiedProgram& program, terms::TermId now, Replaced* replaced,
-                  LoopRelation* loops, std::function<terms::TermId(uint32_t slot)> initial)
+                  LoopRelation* loops, std::function<terms::TermId(uint32_t slot)> initial,
+                  std::function<bool(terms::TermId condition)> never_holds)
       : HostEnvironment(terms, program.emittable, program.cells, program.image, program.shape.passes, now,
                         std::move(initial)),
         terms_(terms),
         program_(program),
         replaced_(replaced),
-        loops_(loops) {}
+        loops_(loops),
+        never_holds_(std::move(never_holds)) {}
 
   bool Replaces(std::string_view function) const override {
     return replaced_ != nullptr && replaced_->OfFunction(function) != nullptr;
@@ -84,6 +86,7 @@ class UnitEnvironment : public HostEnvironment {
     if (program_.shape.passes == Passes::kNothing) return CallControl(memory, request, refusal);
     return HostEnvironment::CallHost(memory, request, refusal);
   }
+  bool NeverHolds(terms::TermId condition) override { return never_holds_(condition); }
   void OpenLoop() override { loops_->OpenInCode(); }
   std::vector<terms::TermId> AtHead(const CodeLoop& loop) override { return loops_->AtHeadInCode(loop); }
   void CloseLoop(terms::TermId again, std::span<const terms::TermId> values) override {
@@ -99,6 +102,7 @@ class UnitEnvironment : public HostEnvironment {
   const VerifiedProgram& program_;
   Replaced* replaced_;
   LoopRelation* loops_;
+  std::function<bool(terms::TermId condition)> never_holds_;
 };
 
 }  // namespace plcxx::prove::verify

@@ -32,13 +32,14 @@ constexpr uint32_t kMostTerms = 4'000'000;  // of one side
 
 }  // namespace
 
-execute::Environment UnitVerifier::MakeEnvironment() {
+execute::Environment UnitVerifier::MakeEnvironment(solver::Solver& solver) {
   execute::Environment environment;
   environment.now = now_;
   environment.most_rounds = MostRounds();
   environment.replaced = replaced_.get();
   environment.most_terms = kMostTerms;
   if (treatment_.loops != Loops::kUnrolled || program_.shape.IsUpToFaults()) environment.loops = &policy_;
+  environment.never_holds = [this, &solver](terms::TermId condition) { return NeverHolds(solver, condition); };
   environment.initial = [this](execute::CellId cell) {
     const bool power_on =
         is_init() && execute::CellAt(program_.ir, program_.cells, cell).kind != execute::CellKind::kCalls;
@@ -54,6 +55,12 @@ execute::Environment UnitVerifier::MakeEnvironment() {
     Observe(memory, function, when);
   };
   return environment;
+}
+
+bool UnitVerifier::NeverHolds(solver::Solver& solver, terms::TermId condition) const {
+  return terms_.IsFalse(condition) ||
+         (!terms_.IsTrue(condition) &&
+          solver.Check({&condition, 1}, deadline_.LimitFor(kBranchMs)) == solver::Answer::kNever);
 }
 
 void UnitVerifier::Observe(execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
@@ -142,9 +149,10 @@ std::string UnitVerifier::ExecuteProgram(execute::Memory& memory) {
   return execute::ExecutePart(memory, unit_.part);
 }
 
-CodeOutcome UnitVerifier::ExecuteCode() {
-  UnitEnvironment environment(terms_, program_, now_, replaced_.get(), relation_.get(),
-                              [this](uint32_t slot) { return InitialSlot(slot); });
+CodeOutcome UnitVerifier::ExecuteCode(solver::Solver& solver) {
+  UnitEnvironment environment(
+      terms_, program_, now_, replaced_.get(), relation_.get(), [this](uint32_t slot) { return InitialSlot(slot); },
+      [&](terms::TermId condition) { return NeverHolds(solver, condition); });
   CodeRun run;
   run.function = program_.CppName(unit_);
   run.state_bytes = image_.size();
@@ -490,16 +498,12 @@ RoutineProof UnitVerifier::Run() {
   const bool replaces = treatment_.callees != Callees::kFollowed;
   if (replaces || program_.shape.passes == Passes::kNothing) {
     const auto matching = in_order ? CallLog::Matching::kByOrder : CallLog::Matching::kByArguments;
-    const auto never = [this, &loaded](terms::TermId condition) {
-      return terms_.IsFalse(condition) ||
-             (!terms_.IsTrue(condition) &&
-              loaded.solver->Check({&condition, 1}, deadline_.LimitFor(kBranchMs)) == solver::Answer::kNever);
-    };
+    const auto never = [this, &loaded](terms::TermId condition) { return NeverHolds(*loaded.solver, condition); };
     replaced_ = std::make_unique<Replaced>(program_, hash_, CallLog(terms_, matching, never), replaces,
                                            [this](terms::TermId when, terms::TermId code) { NoteFault(when, code); });
   }
   MakeArguments();
-  const execute::Environment environment = MakeEnvironment();
+  const execute::Environment environment = MakeEnvironment(*loaded.solver);
   if (treatment_.loops == Loops::kInStep && !in_order) {
     relation_ = std::make_unique<LoopRelation>(terms_, program_.emittable, program_.cells, image_, environment.initial,
                                                treatment_.dropped);
@@ -513,7 +517,7 @@ RoutineProof UnitVerifier::Run() {
   has_loops_ = policy_.has_heads || !terms_.IsFalse(policy_.left_out);
   gave_up_ = !proof_.reason.empty();
   if (gave_up_) return std::move(proof_);
-  const CodeOutcome outcome = ExecuteCode();
+  const CodeOutcome outcome = ExecuteCode(*loaded.solver);
   has_loops_ = has_loops_ || (relation_ != nullptr && relation_->has_code()) ||
                (outcome.left_out.valid() && !terms_.IsFalse(outcome.left_out));
   proof_.instructions = outcome.instructions;

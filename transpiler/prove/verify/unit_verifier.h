@@ -72,7 +72,9 @@ class UnitVerifier {
   bool is_init() const { return !is_inner() && routine_.kind == ir::RoutineKind::kInit; }
   uint32_t locals_begin() const { return image_.size() + program_.cells.CallCells(); }
   uint32_t MostRounds() const;
-  execute::Environment MakeEnvironment();
+  execute::Environment MakeEnvironment(solver::Solver& solver);
+  /// Of width 1; false where the solver does not say so soon.
+  bool NeverHolds(solver::Solver& solver, terms::TermId condition) const;
   void Observe(execute::Memory& memory, ir::HostFunctionId function, terms::TermId when);
   terms::TermId InitialSlot(uint32_t slot);
   terms::TermId CellBefore(execute::CellId cell);
@@ -83,7 +85,7 @@ class UnitVerifier {
   void AskAboutFaults(const CodeOutcome& outcome, terms::TermId given);
   void MakeArguments();
   std::string ExecuteProgram(execute::Memory& memory);
-  CodeOutcome ExecuteCode();
+  CodeOutcome ExecuteCode(solver::Solver& solver);
   void AskAboutCalls(const std::string& what, terms::TermId given, const solver::TermPair& calls);
   void Ask(execute::Memory& memory, const CodeOutcome& outcome);
   /// What is given everywhere after loops.

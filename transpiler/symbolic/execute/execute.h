@@ -99,8 +99,8 @@ struct Environment {
   /// Not 0: a loop of which it is not known after so many rounds whether it goes on becomes an unknown function of what
   /// it reads (summary.h): two loops that are written alike are equal then, nothing else is known of them.
   uint32_t summarize_after = 0;
-  /// Whether a condition is known never to hold: asked for another round of such a loop, which is its end then; empty:
-  /// nobody knows.
+  /// Whether a condition is known never to hold: asked for another round of such a loop, and of one with a policy
+  /// (`loops`), which is its end then; empty: nobody knows.
   std::function<bool(terms::TermId condition)> never_holds;
   /// Except a proven loop that executes at most so many instructions in all its rounds: it is unrolled to its bound.
   uint32_t unroll_up_to = 0;

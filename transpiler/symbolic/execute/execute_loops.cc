@@ -102,7 +102,7 @@ Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, uin
   std::set<CellId> rewritten;
   for (uint64_t round = 0; !terms_.IsFalse(flow_.active); ++round) {
     if (round > 0 && flow_.active != before) ++unknown;
-    if (most_unknown != 0 && unknown > 0 && IsKnownNotToGoOn()) {
+    if ((most_unknown != 0 || policy != nullptr) && unknown > 0 && IsKnownNotToGoOn()) {
       flow_.active = terms_.Bit(false);
       break;
     }

@@ -1,6 +1,7 @@
 // Comparisons, choices, and parts of terms: what memory, bits in words and joins of branches are made of.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <optional>
 #include <utility>
 
@@ -474,9 +475,15 @@ TermId Terms::ExtractNew(TermId a, uint8_t low, uint8_t width) {
     case TermKind::kMul:
       if (low == 0) return Mul(Extract(TermId(term.a), 0, width), Extract(TermId(term.b), 0, width));
       break;
-    case TermKind::kVariable:
+    // Above a remainder, and above what a bounded number is divided to, there are zeros.
     case TermKind::kUdiv:
-    case TermKind::kUrem:
+    case TermKind::kUrem: {
+      const auto bits = static_cast<uint8_t>(std::bit_width(GreatestOf(*this, a)));
+      if (bits <= low) return Const(0, width);
+      if (bits < low + width) return Zext(Extract(a, low, static_cast<uint8_t>(bits - low)), width);
+      break;
+    }
+    case TermKind::kVariable:
     case TermKind::kSdiv:
     case TermKind::kSrem:
     case TermKind::kShl:

@@ -14,7 +14,8 @@ struct Quotient {
   uint64_t divisor = 0;
 };
 
-constexpr int kMostDepth = 12;
+constexpr int kMostDepth = 24;     // eight decimal digits, each divided and cut
+constexpr int kDepthOfChoice = 2;  // it has two ways
 
 TermId BelowZeros(const Terms& terms, TermId id) {
   while (terms[id].kind == TermKind::kConcat && terms.IsZero(TermId(terms[id].a))) id = TermId(terms[id].b);
@@ -26,7 +27,7 @@ uint64_t GreatestIn(const Terms& terms, TermId id, int steps) {
   const Term term = terms[id];
   const uint64_t all = Masked(~uint64_t{0}, term.width);
   if (term.kind == TermKind::kConst) return terms.Value(id);
-  if (steps == 0) return all;
+  if (steps <= 0) return all;
   switch (term.kind) {
     case TermKind::kConcat: {
       const TermId low(term.b);
@@ -38,9 +39,9 @@ uint64_t GreatestIn(const Terms& terms, TermId id, int steps) {
       return std::min(all, GreatestIn(terms, TermId(term.a), steps - 1));
     }
     case TermKind::kIte: {
-      const uint64_t otherwise = GreatestIn(terms, TermId(term.c), steps - 1);
+      const uint64_t otherwise = GreatestIn(terms, TermId(term.c), steps - kDepthOfChoice);
       if (otherwise == all) return all;
-      uint64_t then = GreatestIn(terms, TermId(term.b), steps - 1);
+      uint64_t then = GreatestIn(terms, TermId(term.b), steps - kDepthOfChoice);
       const Term condition = terms[TermId(term.a)];
       if (condition.kind == TermKind::kUlt && terms.IsConst(TermId(condition.b)) &&
           BelowZeros(terms, TermId(condition.a)) == BelowZeros(terms, TermId(term.b)))

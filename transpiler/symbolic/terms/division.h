@@ -14,6 +14,9 @@ constexpr bool IsDivision(TermKind kind) {
   return kind == TermKind::kUdiv || kind == TermKind::kUrem || kind == TermKind::kSdiv || kind == TermKind::kSrem;
 }
 
+/// What a solver does bit by bit.
+constexpr bool IsLaborious(TermKind kind) { return kind == TermKind::kMul || IsDivision(kind); }
+
 /// x * m >> shift where that is x / d for every x; else none. `product` is the product.
 TermId QuotientOfProduct(Terms& terms, TermId product, uint8_t shift);
 

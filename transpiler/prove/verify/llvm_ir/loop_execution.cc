@@ -86,6 +86,7 @@ void LoopExecution::UnrollLoop(const FlowLevel& level, Passage entry, terms::Ter
     active = terms_.And(active, again->when);
     if (terms_.IsFalse(active)) return;
     if (!terms_.IsTrue(active)) ++unknown;
+    if (limited && unknown > 0 && environment_.NeverHolds(terms_.And(context, active))) return;
     next = std::move(*again);
   }
 }
