@@ -189,6 +189,14 @@ constexpr Program kProved[] = {
     {"floats_to_integers", "n = d; u = f * 2.5; l = n - 0.5; c = d; ul = f; uc = d;"},
     {"integers_to_floats", "f = l; d = ul; f--; ++f; n = f;"},
     {"constant_shift_counts", "n = m << 16; u = u >> 17; l = l >> 40; ul = ul << 32;"},
+    // Clang has these in unsigned, and they are the same.
+    {"stepped_bit_field_as_it_is", "n = s.b++ < 31 && s.a-- + 1 > 3; l = s.b++; d = s.a--; uc /= s.a++ + 1;"},
+    {"stepped_bit_field_in_sums", "n = s.b++ - m; m = ~s.a-- * n; n += -s.b++; u = s.a++ - 9 < u;"},
+    {"stepped_bit_field_chosen", "n = m ? s.a++ - 9 : n; t[(s.b++ - 3) & 1] = m >> (s.b-- - 9);"},
+    {"stepped_bit_field_in_a_switch", "switch (s.b++ - 5) { case -1: n = 3; break; case 7: n = 2; }"},
+    {"stepped_bit_field_with_sign", "l = s.s++ - 5; n = s.s-- < m;"},
+    {"stepped_bit_field_before", "l = ++s.a - 5; n = --s.b < m;"},
+    {"stepped_bit_field_beside_unsigned", "l = s.a++ - u; n = s.b-- - u > 5u;"},
 };
 
 class FrontEndProgram : public ::testing::TestWithParam<Program> {};
@@ -226,6 +234,47 @@ TEST(FrontEnd, SaysWhatIsNotCompared) {
   EXPECT_EQ(pointer.Compare().result, ProofResult::kProved);
   Subject move("memcmp(t, R, 4);");
   EXPECT_FALSE(move.ok());
+}
+
+constexpr Program kReadOtherwise[] = {
+    {"compared", "n = s.a++ < m;"},
+    {"compared_from_the_left", "n = -1 < s.a++;"},
+    {"difference_compared", "n = s.a-- - 6 < 0;"},
+    {"widened", "l = s.a++ - 5;"},
+    {"cast", "l = (long)(-s.a++);"},
+    {"as_a_double", "d = s.a++ - 5;"},
+    {"chosen_and_widened", "l = m ? s.a++ : n;"},
+    {"behind_a_comma", "l = (m++, s.a++) - 5;"},
+    {"divided", "n = (s.a++ - 9) / 3;"},
+    {"divisor", "n = m % (s.a++ | 1);"},
+    {"shifted", "n = (s.a++ - 5) >> 1;"},
+    {"divisor_of_an_assignment", "n /= s.a++ | 1;"},
+    {"in_a_callee_with_a_pointer", "less(&m);", "void less(int *p) { n = s.a++ < *p; }\n"},
+};
+
+class FrontEndReadOtherwise : public ::testing::TestWithParam<Program> {};
+
+/// The program is right, and Clang's code has another result.
+TEST_P(FrontEndReadOtherwise, IsNotCompared) {
+  Subject subject(GetParam().body, GetParam().functions);
+  ASSERT_TRUE(subject.ok());
+  const verify::RoutineProof proof = subject.Compare();
+  EXPECT_THAT(proof.reason, ::testing::StartsWith("not compared: the value of a bit-field after a postfix"));
+  EXPECT_EQ(subject.Compare("init").result, ProofResult::kProved);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FrontEndReadOtherwise, ::testing::ValuesIn(kReadOtherwise),
+                         [](const auto& program) { return std::string(program.param.name); });
+
+/// What calls such a function is compared, whatever that does.
+TEST(FrontEnd, ComparesCallersOfWhatIsReadOtherwise) {
+  Subject subject("n = low(m) - u;", "int low(int k) { return s.a++ < k; }\n");
+  ASSERT_TRUE(subject.ok());
+  EXPECT_THAT(subject.Compare("low").reason, ::testing::StartsWith("not compared: "));
+  const verify::RoutineProof right = subject.Compare();
+  EXPECT_EQ(right.result, ProofResult::kProved) << right.reason;
+  ASSERT_TRUE(subject.ChangeFirst([](ir::Inst& inst) { return Apply(Swap("", "", Op::kSub16), inst); }));
+  EXPECT_EQ(subject.Compare().result, ProofResult::kDifferent);
 }
 
 /// What is multiplied and divided is chosen by what an axis says, which the two sides read in other ways.

@@ -42,6 +42,9 @@ struct ReferenceFunction {
   /// Why its parameters or its result are not those of the routine: "a structure as a parameter". It is compared in
   /// each of its calls, and not by itself.
   std::string in_callers;
+  /// What the other compiler reads in another way than the language: then the function's code there is no measure of
+  /// it. Empty: nothing.
+  std::string read_otherwise;
 };
 
 /// A function that the sources only call, for the control has it: in the program it is a routine or a host function.

@@ -185,6 +185,7 @@ void Verification::Prove(UnitId id) {
   visited_[id.index] = true;
   const Unit& unit = program_.units[id];
   for (const UnitId callee : unit.callees) Prove(callee);
+  if (program_.is_unknown[id.index]) return;
   if (!unit.part.region.valid() &&
       std::ranges::find(program_.shape.in_callers, unit.part.routine) != program_.shape.in_callers.end())
     return;

@@ -64,7 +64,7 @@ struct CodeShape {
   ir::RoutineId fault;
   std::vector<uint64_t> open_faults;  // numbers of those that are recorded only where the code's language is open, too
   std::vector<ir::RoutineId>
-      unknown;  // that the code only declares: on both sides anything, the same when called alike
+      unknown;  // that the code only declares, or that are not compared: anything, the same when called alike
   /// That are compared in each of their calls alone: their parameters are others in the code.
   std::vector<ir::RoutineId> in_callers;
   /// Calls of the code that are calls of a host function, by the name in the code.

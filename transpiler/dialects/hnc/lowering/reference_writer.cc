@@ -74,8 +74,12 @@ std::string ReferenceWriter::WhyInCallers(const Function& function) const {
 
 void ReferenceWriter::DescribeFunction(FunctionId id, ir::Reference& reference) const {
   const Function& function = unit_.functions[id];
-  ir::ReferenceFunction described{
-      .name = function.name, .routine = placement_.routines[id.index], .locals = {}, .result = {}, .in_callers = {}};
+  ir::ReferenceFunction described{.name = function.name,
+                                  .routine = placement_.routines[id.index],
+                                  .locals = {},
+                                  .result = {},
+                                  .in_callers = {},
+                                  .read_otherwise = {}};
   const auto type_of = [this](VariableId variable) { return TypeAt(unit_.variables[variable].type).kind; };
   const auto add = [&](VariableId variable, bool is_parameter) {
     const ObjectId object = objects_.OfVariable(variable);
@@ -85,6 +89,9 @@ void ReferenceWriter::DescribeFunction(FunctionId id, ir::Reference& reference) 
   };
   for (const VariableId parameter : function.parameters) add(parameter, true);
   described.in_callers = WhyInCallers(function);
+  if (function.clang_drops_signs)
+    described.read_otherwise =
+        "the value of a bit-field after a postfix '++' or '--' is unsigned to Clang, and int in C";
   if (TypeAt(function.result).kind == TypeKind::kRecord) described.result = BytesOf(objects_.OfResult(id));
   for (const VariableId local : function.locals) {
     if (unit_.variables[local].storage == Storage::kAutomatic) add(local, false);

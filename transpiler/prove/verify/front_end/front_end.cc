@@ -63,6 +63,7 @@ class Comparer {
   verify::RoutineProof CompareInitialValues(const verify::CompiledCode& code) const;
   void AddLocals(const ir::ReferenceFunction& function);
   void AddInCallers(const ir::ReferenceFunction& function);
+  void FindNotCompared();
   FunctionProof ProofInCallers(const ir::ReferenceFunction& function, std::span<const FunctionProof> functions) const;
   uint32_t SlotOf(const ir::ReferenceBytes& at) const {
     return plain_.layout.bytes[at.space.index][at.offset].whole.offset;
@@ -73,6 +74,7 @@ class Comparer {
   emit::Emittable plain_;  // the program without chunks, in plain memory
   verify::CodeShape shape_;
   verify::SourceCode source_;
+  std::vector<std::string> not_compared_;  // by index of the reference's functions: why; empty: they are
 };
 
 /// Functions of the sources as the sources name them; no other has a name that a function may have.
@@ -137,6 +139,26 @@ void Comparer::AddInCallers(const ir::ReferenceFunction& function) {
   };
   for (const ir::ReferenceLocal& local : function.locals) is_gone(local.at);
   if (function.result) is_gone(*function.result);
+}
+
+/// What is executed in its callers makes these what it is. Where others call them, all are unknown functions.
+void Comparer::FindNotCompared() {
+  const std::vector<ir::ReferenceFunction>& functions = reference_.functions;
+  std::vector<size_t> open;
+  for (const ir::ReferenceFunction& function : functions) {
+    not_compared_.push_back(function.read_otherwise);
+    if (!function.read_otherwise.empty()) open.push_back(not_compared_.size() - 1);
+  }
+  for (size_t i = 0; i < open.size(); ++i) {
+    const ir::ReferenceFunction& function = functions[open[i]];
+    shape_.unknown.push_back(function.routine);
+    if (function.in_callers.empty()) continue;
+    for (size_t caller = 0; caller < functions.size(); ++caller) {
+      if (!not_compared_[caller].empty() || !Calls(program_, functions[caller].routine, function.routine)) continue;
+      not_compared_[caller] = not_compared_[open[i]];
+      open.push_back(caller);
+    }
+  }
 }
 
 /// Proved where all that call it are, and calls of others that are executed in their callers are looked through.
@@ -215,6 +237,7 @@ void Comparer::MakeShape() {
     if (callee.host.valid()) shape_.hosts.emplace_back(callee.name, callee.host);
   }
   AddEffects();
+  FindNotCompared();
   FindConstants();
 }
 
@@ -249,8 +272,15 @@ Comparison Comparer::Run(const verify::VerifyLimits& limits) {
   if (loaded.code == nullptr) return comparison;
   comparison.functions.push_back({.proof = CompareInitialValues(*loaded.code), .not_compared = {}, .in_callers = {}});
   std::vector<ir::RoutineId> routines;
-  for (const ir::ReferenceFunction& function : reference_.functions) {
-    if (function.in_callers.empty()) routines.push_back(function.routine);
+  for (size_t i = 0; i < not_compared_.size(); ++i) {
+    const ir::ReferenceFunction& function = reference_.functions[i];
+    if (not_compared_[i].empty()) {
+      if (function.in_callers.empty()) routines.push_back(function.routine);
+      continue;
+    }
+    FunctionProof& found = comparison.functions.emplace_back();
+    found.proof.routine = function.name;
+    found.not_compared = not_compared_[i];
   }
   for (verify::RoutineProof& proof : verify::Verify(plain_, *loaded.code, routines, limits, shape_)) {
     const bool known = std::ranges::any_of(
@@ -258,8 +288,10 @@ Comparison Comparer::Run(const verify::VerifyLimits& limits) {
     if (!known) comparison.functions.push_back({.proof = std::move(proof), .not_compared = {}, .in_callers = {}});
   }
   std::vector<FunctionProof> in_callers;
-  for (const ir::ReferenceFunction& function : reference_.functions) {
-    if (!function.in_callers.empty()) in_callers.push_back(ProofInCallers(function, comparison.functions));
+  for (size_t i = 0; i < not_compared_.size(); ++i) {
+    const ir::ReferenceFunction& function = reference_.functions[i];
+    if (function.in_callers.empty() || !not_compared_[i].empty()) continue;
+    in_callers.push_back(ProofInCallers(function, comparison.functions));
   }
   for (FunctionProof& function : in_callers) comparison.functions.push_back(std::move(function));
   return comparison;

@@ -92,6 +92,8 @@ ExprId ExpressionConverter::Cast(const clang::CastExpr* expr) {
     Expr result = implicit ? builder_.Unplaced(kind, expr) : builder_.Start(kind, expr);
     result.is_implicit = implicit;
     result.a = inner;
+    if (kind == ExprKind::kConvert && promotions_.IsPromoted(inner, operand))
+      promotions_.MarkConversion(inner, result.type);
     if (implicit) {  // the same text
       result.range = unit_.expressions[inner].range;
       result.macro = unit_.expressions[inner].macro;

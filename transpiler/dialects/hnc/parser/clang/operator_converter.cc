@@ -129,10 +129,14 @@ ExprId OperatorConverter::Binary(const clang::BinaryOperator* expr) {
   }
   result.binary = OperatorOf(expr->getOpcode());
   if (expr->isShiftOp()) {
-    if (promotions_.IsPromoted(result.a, expr->getLHS())) result.type = unit_.expressions[result.a].type;
+    if (promotions_.IsPromoted(result.a, expr->getLHS())) {
+      result.type = unit_.expressions[result.a].type;
+      promotions_.MarkOperator(result.binary, result.a, result.b);
+    }
   } else {
     const TypeId common = promotions_.CommonType(result.a, expr->getLHS(), result.b, expr->getRHS());
     if (common.valid() && !expr->isComparisonOp()) result.type = common;
+    if (common.valid()) promotions_.MarkOperator(result.binary, result.a, result.b);
   }
   return ReportZeroDivisor(result) ? builder_.Poison(expr) : builder_.Add(std::move(result));
 }
@@ -180,10 +184,10 @@ ExprId OperatorConverter::CompoundAssignment(const clang::CompoundAssignOperator
   result.b = expressions_.Operand(expr->getRHS());
   result.a = expressions_.Convert(expr->getLHS());
   result.computation = types_.TypeOf(expr->getComputationLHSType());
+  result.binary = OperatorOf(expr->getOpcode());
   if (promotions_.IsPromoted(result.b, expr->getRHS()) && !expr->isShiftAssignOp()) {
     promotions_.CommonTypeOfAssignment(expr, result);
   }
-  result.binary = OperatorOf(expr->getOpcode());
   if (expr->getLHS()->getType()->isPointerType()) {
     result.binary = expr->getOpcode() == clang::BO_AddAssign ? BinaryOp::kPointerAdd : BinaryOp::kPointerSubtract;
   }

@@ -1,5 +1,7 @@
 #include "transpiler/dialects/hnc/parser/clang/promotions.h"
 
+#include "transpiler/dialects/hnc/parser/clang/value_range.h"
+
 namespace plcxx::hnc {
 namespace {
 
@@ -48,6 +50,7 @@ void Promotions::CommonTypeOfAssignment(const clang::CompoundAssignOperator* exp
   if (!expr->getLHS()->getType()->isIntegerType()) return;
   if (BecomesInt(expr->getLHS())) {
     result.computation = unit_.expressions[result.b].type;
+    MarkOperator(result.binary, result.a, result.b);
   } else {
     result.b = builder_.InType(result.b, result.computation);
   }
@@ -84,6 +87,27 @@ TypeId Promotions::CommonType(ExprId& a, const clang::Expr* of_a, ExprId& b, con
     other = unconverted;
   }
   return int_type;
+}
+
+bool Promotions::MayBeNegative(ExprId operand) const { return ValueRangeOf(unit_, operand).least < 0; }
+
+void Promotions::MarkFunction() {
+  if (now_.function.valid()) unit_.functions[now_.function].clang_drops_signs = true;
+}
+
+/// Of two numbers that are not negative both have the same; sums, products and bits are the same of all numbers.
+void Promotions::MarkOperator(BinaryOp op, ExprId a, ExprId b) {
+  const bool is_quotient = op == BinaryOp::kDivide || op == BinaryOp::kRemainder;
+  const bool looks_at_both = is_quotient || Info(op).family == BinaryFamily::kOrder;
+  const bool looks_at_one = op == BinaryOp::kShiftRight;
+  if (!looks_at_both && !looks_at_one) return;
+  if (MayBeNegative(a) || (looks_at_both && MayBeNegative(b))) MarkFunction();
+}
+
+void Promotions::MarkConversion(ExprId operand, TypeId type) {
+  const Type& target = unit_.types[type];
+  const bool shows_sign = target.kind == TypeKind::kReal || (target.kind == TypeKind::kInteger && target.bits > 16);
+  if (shows_sign && MayBeNegative(operand)) MarkFunction();
 }
 
 }  // namespace plcxx::hnc

@@ -3,7 +3,8 @@
 // Clang promotes what it can follow to a field: an access, an assignment, a prefix step, an operand of a comma. Of
 // `s.f++` it keeps the declared type, so that `s.f++ - 5` would be 65531 where `s.f - 5` is -5. Here such a value is
 // int; operators above it, which Clang computes in `unsigned int` for its sake alone, are int, too. Everything else has
-// the type that Clang gives it.
+// the type that Clang gives it. Where the sign of such a value can matter, Clang's own code of the function is no
+// measure of the program, and the function is marked.
 #pragma once
 
 #include "transpiler/dialects/hnc/parser/clang/expression_builder.h"
@@ -28,8 +29,15 @@ class Promotions : private NodeConverter {
   /// both are; none: that of Clang, which both have.
   TypeId CommonType(ExprId& a, const clang::Expr* of_a, ExprId& b, const clang::Expr* of_b);
 
+  /// Here a op b is computed in int, in Clang's code in unsigned int; marks the function where the results may differ.
+  void MarkOperator(BinaryOp op, ExprId a, ExprId b);
+  /// An operand that is promoted becomes `type`.
+  void MarkConversion(ExprId operand, TypeId type);
+
  private:
   bool BecomesInt(const clang::Expr* expr) const;
+  bool MayBeNegative(ExprId operand) const;
+  void MarkFunction();
 
   TypeConverter& types_;
   ExpressionBuilder& builder_;
