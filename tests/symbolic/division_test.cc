@@ -188,6 +188,27 @@ TEST(Division, PartsOfQuotientsAndRemainders) {
   }
 }
 
+/// Every number with a sign by every divisor that has none, 0 among them, which divides as Evaluate says.
+TEST(Division, SignedNumbersByOnesWithoutSign) {
+  constexpr uint8_t kBits = 5, kDivisorBits = 3;
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", kBits), narrow = terms.Variable("d", kDivisorBits);
+  const terms::TermId divisor = terms.Zext(narrow, kBits);
+  const terms::TermId quotient = terms.Sdiv(x, divisor), rest = terms.Srem(x, divisor);
+  EXPECT_NE(terms[quotient].kind, terms::TermKind::kSdiv);
+  EXPECT_NE(terms[rest].kind, terms::TermKind::kSrem);
+  for (uint64_t value = 0; value >> kBits == 0; ++value) {
+    for (uint64_t by = 0; by >> kDivisorBits == 0; ++by) {
+      const std::array variables = {value, by};
+      const std::vector<uint64_t> values = terms::EvaluateAll(terms, variables, terms::TermId(terms.size() - 1));
+      const int64_t number = terms::AsSigned(value, kBits), whole = static_cast<int64_t>(by);
+      const int64_t expected = whole == 0 ? (number < 0 ? 1 : -1) : number / whole;
+      ASSERT_EQ(values[quotient.index], terms::Masked(static_cast<uint64_t>(expected), kBits));
+      ASSERT_EQ(values[rest.index], terms::Masked(static_cast<uint64_t>(whole == 0 ? number : number % whole), kBits));
+    }
+  }
+}
+
 TEST(Division, ComparisonsHaveOneSpelling) {
   terms::Terms terms;
   const terms::TermId x = terms.Variable("x", 16);

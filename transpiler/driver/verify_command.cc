@@ -32,6 +32,7 @@
 #include "transpiler/review/verify/certificate.h"
 #include "transpiler/review/verify/facts.h"
 #include "transpiler/scenarios/failure.h"
+#include "transpiler/support/beside_work.h"
 #include "transpiler/support/counted.h"
 #include "transpiler/support/hex.h"
 #include "transpiler/support/near_words.h"
@@ -348,6 +349,12 @@ bool Verification::Run() {
   prove::verify::VerifyLimits limits;
   limits.routine_ms = routine_ms_;
   limits.progress = [this](const std::string& text) { progress_.Show(text); };
+  // What the facts' proofs ask for, nobody else finds: they are made beside the others, and told after them.
+  const compilation::Compilation checked = review::verify::CompileChecked(request_);
+  support::BesideWork facts_beside(support::kDeepStackBytes, [&] {
+    facts_ = review::verify::VerifyFactsOf(
+        checked, settings_.routines, {.question_ms = limits.question_ms, .routine_ms = routine_ms_, .progress = {}});
+  });
   bool all = true;
   std::string causes;
   prove::verify::VerifyLimits saying = limits;
@@ -365,9 +372,8 @@ bool Verification::Run() {
   if (!all && !causes.empty()) Say(causes);
   if (!CompareFrontEnd(emittable, limits)) all = false;
   for (const std::string& name : left_out_) Say("  " + name + ": left out\n");
-  facts_ = review::verify::VerifyFacts(
-      request_, settings_.routines,
-      {.question_ms = limits.question_ms, .routine_ms = routine_ms_, .progress = limits.progress});
+  progress_.Show("proving facts");
+  facts_beside.Wait();
   Say(facts_.Text());
   const std::string what = std::string(!left_out_.empty()          ? "what was asked for"
                                        : settings_.objects.empty() ? "the compiled code"

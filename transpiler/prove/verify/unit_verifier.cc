@@ -11,6 +11,7 @@
 #include "transpiler/symbolic/meaning/meaning.h"
 #include "transpiler/symbolic/solver/model.h"
 #include "transpiler/symbolic/terms/cone.h"
+#include "transpiler/symbolic/terms/intervals.h"
 #include "transpiler/symbolic/terms/samples.h"
 
 namespace plcxx::prove::verify {
@@ -533,6 +534,8 @@ RoutineProof UnitVerifier::Run() {
     gave_up_ = true;
     return std::move(proof_);
   }
+  if (unit_.result.valid())
+    greatest_result_ = terms::Intervals(terms_).Of(memory.ReadPlace(program_.ir.places[unit_.result])).high;
   Ask(memory, outcome);
   Decide(*loaded.solver);
   gave_up_ = proof_.result == ProofResult::kNotDecided;

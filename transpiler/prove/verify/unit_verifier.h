@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,6 +55,8 @@ class UnitVerifier {
   bool gave_up() const { return gave_up_; }
   /// A loop was not executed as often as it may go round.
   bool has_loops() const { return has_loops_; }
+  /// No execution gives a greater result, read without a sign; none: the unit has no result, or was not executed.
+  std::optional<uint64_t> greatest_result() const { return greatest_result_; }
   /// What was guessed of loops and is not so.
   const std::vector<std::string>& refuted() const { return refuted_; }
 
@@ -126,6 +129,7 @@ class UnitVerifier {
   std::vector<Question> questions_;
   RoutineProof proof_;
   std::vector<std::string> refuted_;
+  std::optional<uint64_t> greatest_result_;
   bool gave_up_ = false, has_loops_ = false;
 };
 

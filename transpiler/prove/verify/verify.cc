@@ -1,6 +1,7 @@
 #include "transpiler/prove/verify/verify.h"
 
 #include <algorithm>
+#include <bit>
 #include <memory>
 #include <optional>
 #include <set>
@@ -8,6 +9,7 @@
 
 #include "transpiler/prove/verify/unit_verifier.h"
 #include "transpiler/prove/verify/verified_program.h"
+#include "transpiler/symbolic/meaning/meaning.h"
 #include "transpiler/symbolic/solver/deadline.h"
 
 namespace plcxx::prove::verify {
@@ -53,8 +55,11 @@ class Verification {
   struct Try {
     RoutineProof proof;
     bool gave_up = false, has_loops = false;
+    std::optional<uint64_t> greatest_result;  // as UnitVerifier says it
     std::optional<RoutineProof> but_for_open;
   };
+  /// What one execution of a unit has shown.
+  static Try Shown(UnitVerifier& verifier);
 
   void Prove(UnitId id);
   /// Of calls that are replaced, also in functions that are followed.
@@ -65,7 +70,9 @@ class Verification {
   Try RunInStep(const Unit& unit, const ArgumentCase& given, Callees callees, const solver::Deadline& deadline) const;
   Try RunOnce(const Unit& unit, const ArgumentCase& given, const Treatment& treatment,
               const solver::Deadline& deadline) const;
-  void Replace(UnitId id, const std::vector<std::string>& parameters, std::set<std::string> open);
+  /// `greatest_result`: of a proved unit; may be none.
+  void Replace(UnitId id, const std::vector<std::string>& parameters, std::set<std::string> open,
+               std::optional<uint64_t> greatest_result);
 
   VerifiedProgram program_;
   std::vector<bool> visited_;                // by UnitId
@@ -85,14 +92,19 @@ void Verification::Collect(const Unit& unit, Granted& granted) const {
   }
 }
 
-Verification::Try Verification::RunOnce(const Unit& unit, const ArgumentCase& given, const Treatment& treatment,
-                                        const solver::Deadline& deadline) const {
-  UnitVerifier verifier(program_, unit, given, treatment, deadline);
+Verification::Try Verification::Shown(UnitVerifier& verifier) {
   Try tried;
   tried.proof = verifier.Run();
   tried.gave_up = verifier.gave_up();
   tried.has_loops = verifier.has_loops();
+  tried.greatest_result = verifier.greatest_result();
   return tried;
+}
+
+Verification::Try Verification::RunOnce(const Unit& unit, const ArgumentCase& given, const Treatment& treatment,
+                                        const solver::Deadline& deadline) const {
+  UnitVerifier verifier(program_, unit, given, treatment, deadline);
+  return Shown(verifier);
 }
 
 /// What is guessed of loops and is not so is dropped, until all that is claimed of them is so, or too little is left.
@@ -102,10 +114,7 @@ Verification::Try Verification::RunInStep(const Unit& unit, const ArgumentCase& 
   bool second_chance = false;
   for (int i = 0;; ++i) {
     UnitVerifier verifier(program_, unit, given, treatment, deadline);
-    Try tried;
-    tried.proof = verifier.Run();
-    tried.gave_up = verifier.gave_up();
-    tried.has_loops = verifier.has_loops();
+    Try tried = Shown(verifier);
     if (i == 0 && tried.has_loops && tried.proof.result != ProofResult::kProved) {
       // Before guesses are looked for that would not help: the first rounds may differ.
       Try first = RunOnce(
@@ -137,6 +146,7 @@ Verification::Try Verification::ProveCases(const Unit& unit, Callees callees, Lo
       Add(all->proof, std::move(one.proof));
       all->gave_up = all->gave_up || one.gave_up;
       all->has_loops = all->has_loops || one.has_loops;
+      all->greatest_result = std::max(all->greatest_result, one.greatest_result);
     }
     if (all->proof.result != ProofResult::kProved) break;
   }
@@ -171,10 +181,18 @@ Verification::Try Verification::ProveWith(const Unit& unit, Loops loops, Granted
   return tried;
 }
 
-void Verification::Replace(UnitId id, const std::vector<std::string>& parameters, std::set<std::string> open) {
-  auto call = std::make_unique<ReplacedCall>(program_.emittable, program_.cells, program_.image, program_.units[id],
-                                             program_.shape.passes, parameters,
-                                             program_.code.ResultRange(program_.CppName(program_.units[id])));
+/// What the compiler says of a function's result; else as many bits as the proof has seen it to need, which the passes
+/// of the program may rest on where it is called.
+void Verification::Replace(UnitId id, const std::vector<std::string>& parameters, std::set<std::string> open,
+                           std::optional<uint64_t> greatest_result) {
+  const Unit& unit = program_.units[id];
+  std::optional<NumberRange> range = program_.code.ResultRange(program_.CppName(unit));
+  if (!range && greatest_result) {
+    const int bits = std::max(1, static_cast<int>(std::bit_width(*greatest_result)));
+    if (bits < meaning::WidthOf(program_.ir.places[unit.result].type)) range = {.low = 0, .count = uint64_t{1} << bits};
+  }
+  auto call = std::make_unique<ReplacedCall>(program_.emittable, program_.cells, program_.image, unit,
+                                             program_.shape.passes, parameters, range);
   if (call->is_opaque()) return;
   program_.calls[id.index] = std::move(call);
   open_[id.index] = std::move(open);
@@ -225,7 +243,9 @@ void Verification::Prove(UnitId id) {
   const bool takes_over =
       proof.result != ProofResult::kDifferent && (tried.gave_up || proof.reason.empty() || tried.but_for_open);
   const bool init = !inner && program_.ir.routines[unit.part.routine].kind == ir::RoutineKind::kInit;
-  if (takes_over && !init && parameters) Replace(id, *parameters, std::move(granted.open));
+  const bool proved = proof.result == ProofResult::kProved;
+  if (takes_over && !init && parameters)
+    Replace(id, *parameters, std::move(granted.open), proved ? tried.greatest_result : std::nullopt);
   if (program_.limits.is_decided) program_.limits.is_decided(proof);
   proofs_.push_back(std::move(proof));
 }

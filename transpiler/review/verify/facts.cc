@@ -150,6 +150,10 @@ std::string FactsReport::Text() const {
 FactsReport VerifyFactsOf(const compilation::Compilation& checked, const std::vector<std::string>& routines,
                           const prove::verify::facts::FactLimits& limits) {
   FactsReport report;
+  if (!checked.ok()) {
+    report.refusal = "the program does not compile with its facts checked";
+    return report;
+  }
   const ir::Program& program = checked.program;
   std::vector<ir::RoutineId> chosen;
   for (const ir::RoutineId id : prove::verify::RoutinesToVerify(program)) {
@@ -180,16 +184,9 @@ FactsReport VerifyFactsOf(const compilation::Compilation& checked, const std::ve
   return report;
 }
 
-FactsReport VerifyFacts(compilation::CompilationRequest request, const std::vector<std::string>& routines,
-                        const prove::verify::facts::FactLimits& limits) {
+compilation::Compilation CompileChecked(compilation::CompilationRequest request) {
   request.options.emplace_back(compilation::kFactsOption, "checked");
-  const compilation::Compilation checked = compilation::Compile(request);
-  if (!checked.ok()) {
-    FactsReport report;
-    report.refusal = "the program does not compile with its facts checked";
-    return report;
-  }
-  return VerifyFactsOf(checked, routines, limits);
+  return compilation::Compile(request);
 }
 
 }  // namespace plcxx::review::verify

@@ -35,11 +35,10 @@ struct FactsReport {
   std::string Text() const;
 };
 
-/// Of a program that has been compiled already.
+/// The same sources with a check at each fact: what VerifyFactsOf reads.
+compilation::Compilation CompileChecked(compilation::CompilationRequest request);
+/// `routines`: by name; empty: all.
 FactsReport VerifyFactsOf(const compilation::Compilation& checked, const std::vector<std::string>& routines,
                           const prove::verify::facts::FactLimits& limits);
-/// `routines`: by name; empty: all.
-FactsReport VerifyFacts(compilation::CompilationRequest request, const std::vector<std::string>& routines,
-                        const prove::verify::facts::FactLimits& limits);
 
 }  // namespace plcxx::review::verify

@@ -12,7 +12,11 @@ namespace {
 constexpr uint64_t kSlowestStep = 2;
 
 uint64_t NowMs(Clock clock) {
-  if (clock == Clock::kProcessor) return static_cast<uint64_t>(std::clock()) * 1000 / CLOCKS_PER_SEC;
+  if (clock == Clock::kProcessor) {
+    timespec used{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+    return static_cast<uint64_t>(used.tv_sec) * 1000 + static_cast<uint64_t>(used.tv_nsec) / 1'000'000;
+  }
   using std::chrono::milliseconds;
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return static_cast<uint64_t>(std::chrono::duration_cast<milliseconds>(now).count());

@@ -10,6 +10,7 @@
 
 namespace plcxx::solver {
 
+/// kProcessor: what the thread that asks has used; a deadline is asked by the thread that made it.
 enum class Clock : uint8_t { kWall, kProcessor };
 
 class Deadline {

@@ -17,6 +17,11 @@ uint32_t HashOf(const Term& term) {
   return static_cast<uint32_t>(hash ^ hash >> 31);
 }
 
+/// A number of fewer bits, without a sign.
+bool IsWidenedByZeros(const Terms& terms, TermId id) {
+  return terms[id].kind == TermKind::kConcat && terms.IsZero(TermId(terms[id].a));
+}
+
 }  // namespace
 
 size_t Terms::Index::SlotOf(std::span<const Term> keys, const Term& term, uint32_t hash) const {
@@ -307,13 +312,13 @@ TermId Terms::OfMagnitude(TermKind kind, TermId a, TermId divisor) {
 
 TermId Terms::Sdiv(TermId a, TermId b) {
   if (const TermId choice = OfChoice(TermKind::kSdiv, a, b); choice.valid()) return choice;
-  if (IsPositiveConst(b) && !IsConst(a)) return OfMagnitude(TermKind::kSdiv, a, b);
+  if ((IsPositiveConst(b) || IsWidenedByZeros(*this, b)) && !IsConst(a)) return OfMagnitude(TermKind::kSdiv, a, b);
   return Binary(TermKind::kSdiv, a, b, Width(a));
 }
 
 TermId Terms::Srem(TermId a, TermId b) {
   if (const TermId choice = OfChoice(TermKind::kSrem, a, b); choice.valid()) return choice;
-  if (IsPositiveConst(b) && !IsConst(a)) return OfMagnitude(TermKind::kSrem, a, b);
+  if ((IsPositiveConst(b) || IsWidenedByZeros(*this, b)) && !IsConst(a)) return OfMagnitude(TermKind::kSrem, a, b);
   return Binary(TermKind::kSrem, a, b, Width(a));
 }
 

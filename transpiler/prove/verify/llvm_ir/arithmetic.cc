@@ -3,8 +3,17 @@
 #include <string>
 
 #include "transpiler/symbolic/terms/floats.h"
+#include "transpiler/symbolic/terms/sign_extended.h"
 
 namespace plcxx::prove::verify::llvm_ir {
+
+terms::TermId Arithmetic::WithoutSign(terms::TermId divisor) {
+  const terms::TermId narrow = terms::SignExtended(terms_, divisor);
+  if (terms_.IsConst(divisor) || !narrow.valid()) return divisor;
+  const terms::TermId is_negative = terms_.Extract(narrow, static_cast<uint8_t>(terms_.Width(narrow) - 1), 1);
+  if (!environment_.NeverHolds(terms_.And(context_, is_negative))) return divisor;
+  return terms_.Zext(narrow, terms_.Width(divisor));
+}
 
 terms::TermId Arithmetic::Divide(const llvm::BinaryOperator& inst, terms::TermId a, terms::TermId b) {
   const uint8_t width = terms_.Width(a);
@@ -24,9 +33,9 @@ terms::TermId Arithmetic::Divide(const llvm::BinaryOperator& inst, terms::TermId
     case llvm::Instruction::URem:
       return terms_.Urem(a, b);
     case llvm::Instruction::SDiv:
-      return terms_.Sdiv(a, b);
+      return terms_.Sdiv(a, WithoutSign(b));
     default:
-      return terms_.Srem(a, b);
+      return terms_.Srem(a, WithoutSign(b));
   }
 }
 

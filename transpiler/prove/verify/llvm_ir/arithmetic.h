@@ -20,6 +20,8 @@ class Arithmetic : private ExecutionPart {
   terms::TermId Convert(const llvm::CastInst& inst);
 
  private:
+  /// A divisor that is never negative where execution comes here, as the program has it that knows so.
+  terms::TermId WithoutSign(terms::TermId divisor);
   terms::TermId Divide(const llvm::BinaryOperator& inst, terms::TermId a, terms::TermId b);
   terms::TermId ComparePointers(const llvm::ICmpInst& inst);
 
