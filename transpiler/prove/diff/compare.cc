@@ -172,7 +172,7 @@ void SeparateUndecided(Comparison& comparison) {
 /// What one version keeps in memory of its own the other one may keep in its own: with such cells as pairs the rest is
 /// compared once more. What is proved then is proved, for the pairs are no inputs in either comparison.
 void ProveWithRenamed(Comparison& comparison) {
-  constexpr uint64_t kRenamedShare = 10, kEnoughMs = 3000;  // of the time; what a short one may cost
+  constexpr uint64_t kRenamedShare = 10, kShortMs = 3000;  // of the time; what a short one may cost
   JoinAllButDifferent(comparison);
   const std::vector<std::pair<execute::CellId, execute::CellId>> renamed = GuessRenamed(comparison);
   if (renamed.empty()) return;
@@ -188,7 +188,7 @@ void ProveWithRenamed(Comparison& comparison) {
   const SimulatedRuns no_runs;
   const CompareLimits limits{
       .question_ms = comparison.limits.question_ms,
-      .total_ms = std::min(comparison.RestMs() / 4, std::max(comparison.limits.total_ms / kRenamedShare, kEnoughMs)),
+      .total_ms = std::min(comparison.RestMs() / 4, std::max(comparison.limits.total_ms / kRenamedShare, kShortMs)),
       .progress = comparison.limits.progress};
   Comparison again(comparison.old_version, comparison.new_version, match, no_runs, limits);
   if (!again.refusal.empty()) return;

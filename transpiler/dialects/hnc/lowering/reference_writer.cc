@@ -89,9 +89,7 @@ void ReferenceWriter::DescribeFunction(FunctionId id, ir::Reference& reference) 
   };
   for (const VariableId parameter : function.parameters) add(parameter, true);
   described.in_callers = WhyInCallers(function);
-  if (function.clang_drops_signs)
-    described.read_otherwise =
-        "the value of a bit-field after a postfix '++' or '--' is unsigned to Clang, and int in C";
+  described.read_otherwise = function.clang_differs;
   if (TypeAt(function.result).kind == TypeKind::kRecord) described.result = BytesOf(objects_.OfResult(id));
   for (const VariableId local : function.locals) {
     if (unit_.variables[local].storage == Storage::kAutomatic) add(local, false);

@@ -143,7 +143,7 @@ struct Function {
   bool is_static = false;
   bool is_defined = false;
   bool has_prototype = false;            // else K&R: arguments come promoted (6.4)
-  bool clang_drops_signs = false;        // the value of a bit-field after s.f++: unsigned in Clang's code (6.1)
+  std::string clang_differs;             // why Clang's own code is no measure of it; empty: it is one
   std::optional<SystemFunction> system;  // supplied by the product, not by the program
   StatementId body;                      // a kCompound, where defined
   source::Range range;                   // the name in the definition

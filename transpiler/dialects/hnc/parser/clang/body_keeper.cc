@@ -317,7 +317,7 @@ StatementId BodyKeeper::TakeOver(const FunctionBody& body, uint32_t elided) {
   for (size_t i = 0; i < std::min(parameters.size(), before.parameters.size()); ++i) {
     known_variables_[before.parameters[i].index] = parameters[i];
   }
-  unit_.functions[now_.function].clang_drops_signs = before.clang_drops_signs;
+  unit_.functions[now_.function].clang_differs = before.clang_differs;
   for (const Need& need : body.needs) Satisfy(need);
   const uint32_t strings = static_cast<uint32_t>(unit_.strings.size());
   const ExprId expressions(unit_.expressions.size());

@@ -38,6 +38,20 @@ ExprId CallConverter::Handler(const clang::Expr* argument) {
   return builder_.Poison(argument);
 }
 
+/// Arguments are evaluated from right to left (6.2). Clang, which is made to do so, copies a structure that is named as
+/// one when all are, so that it sees what those before it write.
+bool CallConverter::CopiesTooLate(const clang::CallExpr* expr) const {
+  bool writes = false;
+  for (unsigned i = 0; i < expr->getNumArgs(); ++i) {
+    const clang::Expr* argument = expr->getArg(i);
+    const auto* read = llvm::dyn_cast<clang::ImplicitCastExpr>(argument->IgnoreParens());
+    const bool is_named = read != nullptr && read->getCastKind() == clang::CK_LValueToRValue;
+    if (writes && is_named && argument->getType()->isRecordType()) return true;
+    writes = writes || argument->HasSideEffects(context_);
+  }
+  return false;
+}
+
 ExprId CallConverter::CallOf(const clang::CallExpr* expr) {
   const auto* decay = llvm::dyn_cast<clang::ImplicitCastExpr>(expr->getCallee()->IgnoreParens());
   const auto* name =
@@ -66,6 +80,8 @@ ExprId CallConverter::CallOf(const clang::CallExpr* expr) {
     poison = poison || IsPoison(argument);
     result.arguments.push_back(argument);
   }
+  if (CopiesTooLate(expr))
+    NoteThatClangDiffers("a structure is copied for a call after what stands before it is evaluated, and not before");
   const source::Range range = result.op;
   if (poison) result.kind = ExprKind::kPoison;
   const ExprId id = unit_.expressions.Add(std::move(result));

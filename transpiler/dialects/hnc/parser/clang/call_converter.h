@@ -33,6 +33,7 @@ class CallConverter : private NodeConverter {
   };
 
   ExprId Handler(const clang::Expr* argument);
+  bool CopiesTooLate(const clang::CallExpr* expr) const;
   bool ReportRefused(const Call& call);
   void ReportUndefined(const Call& call);
   std::string NearFunction(const std::string& name) const;

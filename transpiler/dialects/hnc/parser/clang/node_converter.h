@@ -54,6 +54,11 @@ class NodeConverter {
   }
   bool IsPoison(ExprId expr) const { return unit_.expressions[expr].kind == ExprKind::kPoison; }
 
+  /// Clang's own code of the function that is converted does what the language does not say.
+  void NoteThatClangDiffers(const char* reason) {
+    if (now_.function.valid()) unit_.functions[now_.function].clang_differs = reason;
+  }
+
   Conversion& now_;
   Session& session_;
   clang::ASTContext& context_;

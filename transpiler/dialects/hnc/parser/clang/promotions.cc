@@ -92,7 +92,7 @@ TypeId Promotions::CommonType(ExprId& a, const clang::Expr* of_a, ExprId& b, con
 bool Promotions::MayBeNegative(ExprId operand) const { return ValueRangeOf(unit_, operand).least < 0; }
 
 void Promotions::MarkFunction() {
-  if (now_.function.valid()) unit_.functions[now_.function].clang_drops_signs = true;
+  NoteThatClangDiffers("the value of a bit-field after a postfix '++' or '--' is unsigned to Clang, and int in C");
 }
 
 /// Of two numbers that are not negative both have the same; sums, products and bits are the same of all numbers.

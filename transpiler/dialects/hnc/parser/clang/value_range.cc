@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "transpiler/support/check.h"
+
 namespace plcxx::hnc {
 namespace {
 
@@ -39,9 +41,21 @@ ValueRange OfOperator(const Unit& unit, const Expr& expr, ValueRange whole, int 
     case BinaryOp::kRemainder:
     case BinaryOp::kShiftRight:
       return a.least >= 0 ? ValueRange{0, a.most} : whole;
-    default:
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kBitXor:
+    case BinaryOp::kBitOr:
+    case BinaryOp::kPointerAdd:
+    case BinaryOp::kPointerSubtract:
+    case BinaryOp::kPointerDifference:
+    case BinaryOp::kLess:
+    case BinaryOp::kGreater:
+    case BinaryOp::kLessEqual:
+    case BinaryOp::kGreaterEqual:
+    case BinaryOp::kEqual:
+    case BinaryOp::kNotEqual:
       return whole;
   }
+  PLCXX_UNREACHABLE();
 }
 
 ValueRange OfExpression(const Unit& unit, const Expr& expr, ValueRange whole, int depth) {
@@ -71,9 +85,21 @@ ValueRange OfExpression(const Unit& unit, const Expr& expr, ValueRange whole, in
       return expr.unary == UnaryOp::kPlus ? RangeWithin(unit, expr.a, depth) : whole;
     case ExprKind::kBinary:
       return OfOperator(unit, expr, whole, depth);
-    default:
+    case ExprKind::kPoison:
+    case ExprKind::kConstant:
+    case ExprKind::kString:
+    case ExprKind::kVariable:
+    case ExprKind::kFunction:
+    case ExprKind::kDecay:
+    case ExprKind::kCast:
+    case ExprKind::kNull:
+    case ExprKind::kAddress:
+    case ExprKind::kDereference:
+    case ExprKind::kIndex:
+    case ExprKind::kCall:
       return whole;
   }
+  PLCXX_UNREACHABLE();
 }
 
 ValueRange RangeWithin(const Unit& unit, ExprId id, int depth) {
