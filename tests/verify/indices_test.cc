@@ -2,10 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 
-#include "tests/driver/run_plcxx.h"
+#include "tests/verify/run_verify.h"
 
 namespace plcxx::driver {
 namespace {
@@ -14,16 +13,10 @@ using ::testing::HasSubstr;
 
 /// `body`: of the function `task`, which plc1 calls.
 std::string Verified(const std::string& body) {
-  const Workplace workplace;
-  workplace.Write(
-      "axes.cld",
-      "#include \"plc.h\"\nunsigned char moved[3];\n" + body +
-          "void init() { plc1_time = 8; plc2_time = 16; }\nvoid plc1(void) { task(); }\nvoid plc2(void) {}\n");
-  // Not by Run: solver and LLVM together take more address space than it leaves.
-  const std::string command = "cd '" + workplace.Path("") +
-                              "' && " PLCXX_BINARY
-                              " verify --time 60s axes.cld --routine fast --front-end off >said 2>&1";
-  return std::to_string(std::system(command.c_str())) + " " + workplace.Read("said");
+  return Verify("axes.cld",
+                "#include \"plc.h\"\nunsigned char moved[3];\n" + body +
+                    "void init() { plc1_time = 8; plc2_time = 16; }\nvoid plc1(void) { task(); }\nvoid plc2(void) {}\n",
+                "--routine fast --front-end off");
 }
 
 constexpr const char* kProved = "axes: what was asked for is proved equal to the program";

@@ -2,24 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 
-#include "tests/driver/run_plcxx.h"
+#include "tests/verify/run_verify.h"
 
 namespace plcxx::driver {
 namespace {
 
 using ::testing::HasSubstr;
 
-std::string Verified(const std::string& program) {
-  const Workplace workplace;
-  workplace.Write("magazine.plc", program);
-  // Not by Run: solver and LLVM together take more address space than it leaves.
-  const std::string command =
-      "cd '" + workplace.Path("") + "' && " PLCXX_BINARY " verify --time 60s magazine.plc --routine slow >said 2>&1";
-  return std::to_string(std::system(command.c_str())) + " " + workplace.Read("said");
-}
+std::string Verified(const std::string& program) { return Verify("magazine.plc", program, "--routine slow"); }
 
 constexpr const char* kProved = "magazine: what was asked for is proved equal to the program";
 
