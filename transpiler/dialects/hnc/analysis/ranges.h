@@ -2,7 +2,6 @@
 // 6.6, 6.9). Bounds are those of the value as its C type reads it.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -10,29 +9,9 @@
 #include <vector>
 
 #include "transpiler/dialects/hnc/analysis/objects.h"
+#include "transpiler/dialects/hnc/syntax/bounds.h"
 
 namespace plcxx::hnc {
-
-struct Bounds {
-  int64_t low = 0, high = 0;  // both included
-  bool operator==(const Bounds&) const = default;
-  bool IsOne() const { return low == high; }
-  bool Holds(int64_t value) const { return low <= value && value <= high; }
-  bool Within(const Bounds& other) const { return other.low <= low && high <= other.high; }
-};
-
-/// All values of an integer type.
-Bounds BoundsOf(const Type& type);
-/// All values that so many bits of a number have.
-Bounds BoundsOf(uint32_t bits, bool is_signed);
-constexpr Bounds Join(const Bounds& a, const Bounds& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
-/// The values in both; none: there is none.
-std::optional<Bounds> Meet(const Bounds& a, const Bounds& b);
-/// Of an operation whose operands have these bounds, before it wraps; none: any value.
-std::optional<Bounds> Apply(BinaryOp op, const Bounds& a, const Bounds& b, const Type& type);
-/// Of the absolute value as the signed `type` keeps it; all its values where the least one, which has none, may be
-/// among them, or what is not one of its values.
-Bounds AbsoluteOf(const Bounds& bounds, const Type& type);
 
 /// Where a fact about a cell comes from. What has been stored into memory need not be there: it may be forced from
 /// outside. kDeclared: of a constant object, its initialiser; no fact of a flow is that.

@@ -89,7 +89,7 @@ TypeId Promotions::CommonType(ExprId& a, const clang::Expr* of_a, ExprId& b, con
   return int_type;
 }
 
-bool Promotions::MayBeNegative(ExprId operand) const { return ValueRangeOf(unit_, operand).least < 0; }
+bool Promotions::MayBeNegative(ExprId operand) const { return ValueRangeOf(unit_, operand).low < 0; }
 
 void Promotions::MarkFunction() {
   NoteThatClangDiffers("the value of a bit-field after a postfix '++' or '--' is unsigned to Clang, and int in C");
