@@ -79,7 +79,7 @@ void ReferenceWriter::DescribeFunction(FunctionId id, ir::Reference& reference) 
                                   .locals = {},
                                   .result = {},
                                   .in_callers = {},
-                                  .read_otherwise = {}};
+                                  .read_otherwise = function.clang_differs};
   const auto type_of = [this](VariableId variable) { return TypeAt(unit_.variables[variable].type).kind; };
   const auto add = [&](VariableId variable, bool is_parameter) {
     const ObjectId object = objects_.OfVariable(variable);
@@ -89,7 +89,6 @@ void ReferenceWriter::DescribeFunction(FunctionId id, ir::Reference& reference) 
   };
   for (const VariableId parameter : function.parameters) add(parameter, true);
   described.in_callers = WhyInCallers(function);
-  described.read_otherwise = function.clang_differs;
   if (TypeAt(function.result).kind == TypeKind::kRecord) described.result = BytesOf(objects_.OfResult(id));
   for (const VariableId local : function.locals) {
     if (unit_.variables[local].storage == Storage::kAutomatic) add(local, false);
