@@ -25,7 +25,8 @@ std::vector<std::string> SourcesOf(const JudgedProgram& program) {
 /// From the lines "  slow: proved (...)" and "  fast: different".
 void Verify(size_t number, const JudgedProgram& program, const Judges& judges, ShareCounts& counts,
             std::vector<Disagreement>& found) {
-  std::vector<std::string> command = {judges.plcxx, "verify", "--time", "4s", "--dialect", program.dialect};
+  std::vector<std::string> command = {judges.plcxx, "verify", "--time",    "4s",
+                                      "--jobs",     "1",      "--dialect", program.dialect};
   for (const auto& [key, value] : program.program.options) {
     command.emplace_back("--set");
     command.push_back(key + "=" + value);

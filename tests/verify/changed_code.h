@@ -81,18 +81,21 @@ class Subject {
 
   /// By what it is caught: "slow: U.10", "not compiled"; empty: all is proved.
   std::string Caught(const std::vector<std::string>& flags = {}) {
-    std::vector<std::string> further = {"-Wno-everything"};
-    further.insert(further.end(), flags.begin(), flags.end());
-    auto compiled = verify::CompileToBitcode(
-        {.toolchain = &toolchain_, .files = &files_, .further_flags = further, .runtime = runtime_});
-    if (std::holds_alternative<verify::BitcodeFailure>(compiled)) return "not compiled";
-    const verify::LoadedCode loaded = verify::LoadCode(std::get<verify::Bitcode>(compiled).files);
+    const verify::LoadedCode loaded = Compile(flags);
     if (loaded.code == nullptr) return loaded.reason;
     const std::vector<verify::RoutineProof> proofs = verify::Verify(emittable_, *loaded.code, Routines(), {});
     EXPECT_FALSE(proofs.empty());
     std::string caught = FirstNotProved(proofs, Asked::kRoutines);
     const bool by_functions = !routines_.empty() || caught.find("all is proved but") != std::string::npos;
     return by_functions ? FirstNotProved(proofs, Asked::kFunctions) : caught;
+  }
+
+  /// Of the code as it is, of all its routines and functions.
+  std::vector<verify::RoutineProof> Proofs(const verify::VerifyLimits& limits) {
+    const verify::LoadedCode loaded = Compile({});
+    EXPECT_EQ(loaded.reason, "");
+    return loaded.code == nullptr ? std::vector<verify::RoutineProof>()
+                                  : verify::Verify(emittable_, *loaded.code, Routines(), limits);
   }
 
   /// The file's text, generated or of the runtime.
@@ -107,6 +110,15 @@ class Subject {
   }
 
  private:
+  verify::LoadedCode Compile(const std::vector<std::string>& flags) {
+    std::vector<std::string> further = {"-Wno-everything"};
+    further.insert(further.end(), flags.begin(), flags.end());
+    auto compiled = verify::CompileToBitcode(
+        {.toolchain = &toolchain_, .files = &files_, .further_flags = further, .runtime = runtime_});
+    if (std::holds_alternative<verify::BitcodeFailure>(compiled)) return {.code = nullptr, .reason = "not compiled"};
+    return verify::LoadCode(std::get<verify::Bitcode>(compiled).files);
+  }
+
   /// Also one that the header does not declare.
   std::vector<ir::RoutineId> Routines() const {
     if (routines_.empty()) return verify::RoutinesToVerify(compilation_.program);

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "transpiler/compile/child_process.h"
 #include "transpiler/compile/compile_library.h"
@@ -21,6 +20,7 @@
 #include "transpiler/driver/dependency_file.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/identity_of.h"
+#include "transpiler/driver/jobs.h"
 #include "transpiler/driver/one_of.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/program_output.h"
@@ -178,7 +178,7 @@ class Build {
                                              .toolchain = &toolchain_,
                                              .name = compilation_.name,
                                              .level = settings_.level,
-                                             .jobs = Jobs(),
+                                             .jobs = JobsOf(settings_.jobs),
                                              .files = &sources,
                                              .directory = directory.path(),
                                              .previous = settings_.output.directory,
@@ -257,10 +257,6 @@ class Build {
     const std::vector<std::string> targets = {PathIn(settings_.output.directory, name + ".hpp"),
                                               PathIn(settings_.output.directory, "lib" + name + ".a")};
     output.files.push_back({settings_.output.dependency_file, DependencyRule(targets, output.protected_paths)});
-  }
-
-  unsigned Jobs() const {
-    return settings_.jobs != 0 ? settings_.jobs : std::max(std::thread::hardware_concurrency(), 1u);
   }
 
   const BuildSettings& settings_;

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/engine_choice.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/jobs.h"
 #include "transpiler/driver/one_of.h"
 #include "transpiler/driver/plant_choice.h"
 #include "transpiler/driver/program_output.h"
@@ -177,22 +177,21 @@ int RunSoak(const SoakSettings& asked) {
   const soak::WatchPlan plan(machine, std::move(properties));
   const uint32_t own = (machines - shard->number) / shard->count + 1;
   if (!settings.directory.empty() && !CanTakeRecord(settings.directory)) return kWrongUse;
-  soak::SoakRequest request{
-      .machine = machine,
-      .request = chosen.request,
-      .scenarios = StimuliOf(scenarios::KnownRuns(chosen.request)),
-      .corpus = {},
-      .make = soak::SimulatedMachines(machine.compilation, *plant),
-      .plant = *plant,
-      .machines = own,
-      .first_machine = shard->number - 1,
-      .every = shard->count,
-      .machine_ms = (*length * own + machines - 1) / machines,
-      .end = {},
-      .jobs = settings.jobs != 0 ? settings.jobs : std::max(1U, std::thread::hardware_concurrency()),
-      .seed = settings.seed,
-      .directory = settings.directory,
-      .progress = [&progress](const std::string& text) { progress.Show(text); }};
+  soak::SoakRequest request{.machine = machine,
+                            .request = chosen.request,
+                            .scenarios = StimuliOf(scenarios::KnownRuns(chosen.request)),
+                            .corpus = {},
+                            .make = soak::SimulatedMachines(machine.compilation, *plant),
+                            .plant = *plant,
+                            .machines = own,
+                            .first_machine = shard->number - 1,
+                            .every = shard->count,
+                            .machine_ms = (*length * own + machines - 1) / machines,
+                            .end = {},
+                            .jobs = JobsOf(settings.jobs),
+                            .seed = settings.seed,
+                            .directory = settings.directory,
+                            .progress = [&progress](const std::string& text) { progress.Show(text); }};
   if (!settings.directory.empty()) request.corpus = ReadCorpus(settings.directory);
   if (*plant) {
     soak::LeaveToPlant(**plant, machine.compilation, request.scenarios);

@@ -1,4 +1,6 @@
 // plcxx verify: the compiled code of this very program, proved equal to what the program means.
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -15,6 +17,7 @@
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/jobs.h"
 #include "transpiler/driver/named_file.h"
 #include "transpiler/driver/one_of.h"
 #include "transpiler/driver/program_output.h"
@@ -54,7 +57,7 @@ are compiled as such: what the compiler puts into one another in plcxx build is 
 compiled: the instructions of that object or library are what is proved, for cortex-m4 and rv32imac.
 Of C (dialect hnc) Clang's own compilation of the sources is proved equal, too, function by function, for executions
 without a run-time fault: --front-end=only does nothing else, --front-end=off leaves it out, and so does --routine.
-What is decided is printed when it is, the verdict last.
+What is decided is printed when it and all before it are, the verdict last; whatever --jobs is, the same.
 What is told of a routine that is not: the first values that differ, and a state before it that shows it.
 Then the facts that plcxx has decided from, ranges and bounds that test --checked executes: each is proved for every
 state, or listed with its statement; one that does not hold with a state from which the simulator shows it.
@@ -78,6 +81,7 @@ struct VerifySettings {
   std::string certificate;
   std::vector<std::string> routines;
   std::string time = "60s";
+  unsigned jobs = 0;
   std::string front_end = "on";
   bool quiet = false;
 };
@@ -172,6 +176,7 @@ class Verification {
 
  private:
   void Say(const std::string& text);
+  prove::verify::VerifyLimits MakeLimits();
   bool FindCompiler();
   bool Refuse(const std::string& reason);
   /// Those that were asked for, all when none was; false when the program has no such routine.
@@ -214,6 +219,22 @@ void Verification::Say(const std::string& text) {
 bool Verification::Refuse(const std::string& reason) {
   verdict_ = compilation_.name + ": not verified: " + reason + "\n";
   return false;
+}
+
+/// Each has a deep stack, and a solver of its own, in which the process ends where there is no memory: where the address
+/// space is limited, one at a time if nothing else was asked for.
+unsigned JobsWithin(unsigned asked) {
+  rlimit space{};
+  const bool is_limited = getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
+  return asked == 0 && is_limited ? 1 : JobsOf(asked);
+}
+
+prove::verify::VerifyLimits Verification::MakeLimits() {
+  prove::verify::VerifyLimits limits;
+  limits.routine_ms = routine_ms_;
+  limits.jobs = JobsWithin(settings_.jobs);
+  limits.progress = [this](const std::string& text) { progress_.Show(text); };
+  return limits;
 }
 
 bool Verification::FindCompiler() {
@@ -295,9 +316,7 @@ bool Verification::CompareFrontEnd(const emit::Emittable& emittable, const prove
 }
 
 bool Verification::RunFrontEndAlone() {
-  prove::verify::VerifyLimits limits;
-  limits.routine_ms = routine_ms_;
-  limits.progress = [this](const std::string& text) { progress_.Show(text); };
+  const prove::verify::VerifyLimits limits = MakeLimits();
   const emit::Emittable emittable = emit::legalize::Legalize(compilation_.program, {.name = compilation_.name});
   const bool same = CompareFrontEnd(emittable, limits);
   verdict_ = compilation_.name + ": " + (same ? "nothing is different\n" : "different\n");
@@ -346,9 +365,7 @@ bool Verification::Run() {
   files_ = emit::print::PrintCpp(emittable, *compilation_.sources);
   const std::unique_ptr<prove::verify::CompiledCode> code = FindCode(emittable);
   if (code == nullptr) return false;
-  prove::verify::VerifyLimits limits;
-  limits.routine_ms = routine_ms_;
-  limits.progress = [this](const std::string& text) { progress_.Show(text); };
+  const prove::verify::VerifyLimits limits = MakeLimits();
   // What the facts' proofs ask for, nobody else finds: they are made beside the others, and told after them.
   const compilation::Compilation checked = review::verify::CompileChecked(request_);
   support::BesideWork facts_beside(support::kDeepStackBytes, [&] {
@@ -455,6 +472,10 @@ void AddVerify(CLI::App& app, Run& run) {
   command->add_option("--time", settings->time, "For one function, in time of the processor: as in 500ms, 60s or 5min")
       ->type_name("TIME")
       ->default_str("60s")
+      ->group("Limits");
+  command->add_option("-j,--jobs", settings->jobs, "Functions that are proved at a time; else one for each processor")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 256U))
       ->group("Limits");
   command->add_option("--front-end", settings->front_end, "on, off: compare with what Clang makes of C (dialect hnc)")
       ->type_name("ON")

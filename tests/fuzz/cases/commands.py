@@ -62,7 +62,7 @@ def dear(case):
         yield ["diff", "old", ".", "--sources", *case.sources, *base[len(case.sources):], "--time", "1s", "--format", form], True, 60
     yield ["diff", "old", ".", "--sources", *case.sources, *base[len(case.sources):], "--time", "1s", "--map",
            case.maps, "--counterexamples", "found"], True, 60
-    yield ["verify", *base, "--time", "1s"], True, 120
+    yield ["verify", *base, "--time", "1s", "--jobs", "1"], True, 120
     yield ["build", *base, "--target", "host", "-o", "built", "-O", "0"], True, 120
     yield ["identify", case.sources[0], *base], True, 30
     yield ["test", case.scenario.name, "--engine", "host", "--time-limit", "20"], True, 120

@@ -38,7 +38,7 @@ COMMANDS = {
     "ir": lambda words: ["print", "ir", *words],
     "cpp": lambda words: ["print", "cpp", *words],
     "diff": lambda words: ["diff", words[0], *words, "--time", "60s"],
-    "verify": lambda words: ["verify", *words, "--time", "60s"],
+    "verify": lambda words: ["verify", *words, "--time", "60s", "--jobs", "1"],
     "json": lambda words: ["check", *words, "--diagnostics", "json", "--max-messages", "0"],
 }
 ANSWERS = (0, 1, 2)

@@ -41,7 +41,7 @@ class Shares:
 
     def verified(self, paths):
         for path in paths:
-            result = children.run([self.plcxx, "verify", "--time", "4s", path.with_suffix(".cld")], 3600)
+            result = children.run([self.plcxx, "verify", "--time", "4s", "--jobs", "1", path.with_suffix(".cld")], 3600)
             verdicts = [verdict for _, verdict in VERDICT.findall(result.stdout)]
             self.verdicts.update(verdicts)
             if result.returncode not in (0, 1) or not verdicts or "different" in verdicts:

@@ -32,7 +32,7 @@ def reason_of(text):
 
 
 def compare(plcxx, words, folder, seconds):
-    ran = run([plcxx, "verify", "--front-end=only", "--name", "program", "--time", seconds, *words], folder, 600)
+    ran = run([plcxx, "verify", "--front-end=only", "--name", "program", "--time", seconds, "--jobs", "1", *words], folder, 600)
     if ran is None:
         return [("", "not decided", "no end within 10 min")]
     said = ran.stdout + ran.stderr

@@ -90,7 +90,7 @@ def verify(plcxx, scenario, options):
     if options.loops and not has_loop(plcxx, words, folder):
         return None
     began = time.monotonic()
-    ran = run([plcxx, "verify", "--name", "program", "--time", options.time, "--target", options.target, *words], folder, 600)
+    ran = run([plcxx, "verify", "--name", "program", "--time", options.time, "-j1", "--target", options.target, *words], folder, 600)
     took = time.monotonic() - began
     if ran is None:
         return "not decided", "no end within 10 min", took

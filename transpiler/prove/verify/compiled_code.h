@@ -178,6 +178,8 @@ class CompiledCode {
   CompiledCode& operator=(const CompiledCode&) = delete;
   virtual ~CompiledCode() = default;
   virtual CodeOutcome Execute(terms::Terms& terms, CodeEnvironment& environment, const CodeRun& run) = 0;
+  /// The same code for another thread: one is executed by one thread at a time.
+  virtual std::unique_ptr<CompiledCode> Copy() const = 0;
   /// The names of the parameters that a function has after compilation (of one without name, empty); none: the code
   /// has no such function.
   virtual std::optional<std::vector<std::string>> Parameters(const std::string& function) const = 0;

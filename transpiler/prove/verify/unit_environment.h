@@ -20,9 +20,14 @@ class Replaced : public execute::ReplacedParts {
  public:
   /// `proved`: functions that are proved are replaced, too, and not only those that the code does not define.
   /// `on_fault`: told when the program calls what the code's language says nothing of.
-  Replaced(const VerifiedProgram& program, terms::TermId hash, CallLog log, bool proved,
+  Replaced(const VerifiedProgram& program, const Workplace& workplace, terms::TermId hash, CallLog log, bool proved,
            std::function<void(terms::TermId when, terms::TermId code)> on_fault)
-      : program_(program), hash_(hash), log_(std::move(log)), proved_(proved), on_fault_(std::move(on_fault)) {}
+      : program_(program),
+        workplace_(workplace),
+        hash_(hash),
+        log_(std::move(log)),
+        proved_(proved),
+        on_fault_(std::move(on_fault)) {}
 
   std::optional<std::vector<execute::CellChange>> Call(execute::Memory& memory, ir::RoutineId routine,
                                                        terms::TermId when) override {
@@ -43,7 +48,7 @@ class Replaced : public execute::ReplacedParts {
   }
   CallLog& log() { return log_; }
   const ReplacedCall* OfFunction(std::string_view name) const {
-    for (uint32_t i = 0; i < program_.calls.size(); ++i) {
+    for (uint32_t i = 0; i < workplace_.calls.size(); ++i) {
       const ReplacedCall* one = Of(UnitId(i));
       if (one != nullptr && name.ends_with(one->unit().name) && program_.CppName(one->unit()) == name) return one;
     }
@@ -52,11 +57,12 @@ class Replaced : public execute::ReplacedParts {
 
  private:
   const ReplacedCall* Of(UnitId unit) const {
-    const bool counts = unit.valid() && (proved_ || program_.is_unknown[unit.index]);
-    return counts ? program_.calls[unit.index].get() : nullptr;
+    if (!unit.valid()) return nullptr;
+    return proved_ ? workplace_.calls[unit.index] : program_.unknown[unit.index].get();
   }
 
   const VerifiedProgram& program_;
+  const Workplace& workplace_;
   terms::TermId hash_;
   CallLog log_;
   bool proved_;

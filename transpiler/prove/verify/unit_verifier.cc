@@ -61,7 +61,7 @@ execute::Environment UnitVerifier::MakeEnvironment(solver::Solver& solver) {
 bool UnitVerifier::NeverHolds(solver::Solver& solver, terms::TermId condition) const {
   return terms_.IsFalse(condition) ||
          (!terms_.IsTrue(condition) &&
-          solver.Check({&condition, 1}, deadline_.LimitFor(kBranchMs)) == solver::Answer::kNever);
+          solver.Check({&condition, 1}, workplace_.deadline.LimitFor(kBranchMs)) == solver::Answer::kNever);
 }
 
 void UnitVerifier::Observe(execute::Memory& memory, ir::HostFunctionId function, terms::TermId when) {
@@ -171,13 +171,13 @@ CodeOutcome UnitVerifier::ExecuteCode(solver::Solver& solver) {
   }
   run.globals = program_.shape.globals;
   if (program_.shape.passes == Passes::kNothing) run.language = CodeRun::Language::kSource;
-  return program_.code.Execute(terms_, environment, run);
+  return workplace_.code.Execute(terms_, environment, run);
 }
 
 /// A fault of which C knows nothing must not be recorded: what comes after it is not compared.
 void UnitVerifier::AskAboutFaults(const CodeOutcome& outcome, terms::TermId given) {
   const bool calls_control =
-      std::ranges::any_of(unit_.callees, [this](UnitId callee) { return bool{program_.is_unknown[callee.index]}; });
+      std::ranges::any_of(unit_.callees, [this](UnitId callee) { return program_.unknown[callee.index] != nullptr; });
   const bool by_heads = relation_ != nullptr && has_loops_;
   if (terms_.IsFalse(open_faults_) || calls_control || by_heads) return;
   terms::TermId undefined = terms_.Bit(false);
@@ -323,7 +323,8 @@ CodeDifference UnitVerifier::Show(solver::Solver& solver, const Question& questi
     return difference;
   };
   const terms::TermId differ = terms_.Ne(asked.a, asked.b);
-  if (solver.Check({&differ, 1}, deadline_.LimitFor(program_.limits.question_ms)) == solver::Answer::kPossible) {
+  if (solver.Check({&differ, 1}, workplace_.deadline.LimitFor(program_.limits.question_ms)) ==
+      solver::Answer::kPossible) {
     const std::array roots = {differ, question.pair.a, question.pair.b};
     const std::vector<uint64_t> values = solver::ModelValues(terms_, solver, terms::ConeOf(terms_, roots));
     if (values[differ.index] != 0) {
@@ -358,9 +359,9 @@ std::vector<solver::Verdict> UnitVerifier::Compare(solver::Solver& solver, std::
   for (const Question& question : questions) pairs.push_back(Asked(question));
   solver::SweepLimits sweep;
   sweep.pair_ms = program_.limits.question_ms;
-  sweep.total_ms = deadline_.RestMs();
+  sweep.total_ms = workplace_.deadline.RestMs();
   sweep.clock = solver::Clock::kProcessor;
-  sweep.answered = program_.answered.get();
+  sweep.answered = &workplace_.answered;
   if (program_.limits.progress) {
     sweep.progress = [this](size_t done, size_t all) {
       program_.limits.progress(unit_.name + ": " + std::to_string(done) + " of " + std::to_string(all));
@@ -377,7 +378,7 @@ std::vector<solver::Verdict> UnitVerifier::Compare(solver::Solver& solver, std::
     proof_.asked += pairs[i].a != pairs[i].b ? 1 : 0;
     if (verdicts[i] == solver::Verdict::kUndecided) open.push_back(i);
   }
-  const solver::Deadline some(solver::Clock::kProcessor, deadline_.RestMs() / kQuickShare);
+  const solver::Deadline some(solver::Clock::kProcessor, workplace_.deadline.RestMs() / kQuickShare);
   std::erase_if(open, [&](size_t i) {
     const bool are_equal = !some.IsOver() && HaveEqualOperands(solver, questions[i], quick);
     if (are_equal) verdicts[i] = solver::Verdict::kEqual;
@@ -386,9 +387,9 @@ std::vector<solver::Verdict> UnitVerifier::Compare(solver::Solver& solver, std::
   if (open.empty()) return verdicts;
   std::vector<solver::TermPair> rest;
   for (const size_t i : open) rest.push_back(pairs[i]);
-  const uint64_t most_ms = treatment_.is_glance ? kGlanceMs : deadline_.RestMs();
-  rest = MakeAlike(terms_, solver, rest, std::min(deadline_.RestMs() / 2, most_ms), *program_.answered);
-  sweep.total_ms = std::min(deadline_.RestMs(), most_ms);
+  const uint64_t most_ms = treatment_.is_glance ? kGlanceMs : workplace_.deadline.RestMs();
+  rest = MakeAlike(terms_, solver, rest, std::min(workplace_.deadline.RestMs() / 2, most_ms), workplace_.answered);
+  sweep.total_ms = std::min(workplace_.deadline.RestMs(), most_ms);
   const std::vector<solver::Verdict> later = solver::Compare(terms_, solver, rest, sweep);
   for (size_t k = 0; k < open.size(); ++k) verdicts[open[k]] = later[k];
   return verdicts;
@@ -500,7 +501,7 @@ RoutineProof UnitVerifier::Run() {
   if (replaces || program_.shape.passes == Passes::kNothing) {
     const auto matching = in_order ? CallLog::Matching::kByOrder : CallLog::Matching::kByArguments;
     const auto never = [this, &loaded](terms::TermId condition) { return NeverHolds(*loaded.solver, condition); };
-    replaced_ = std::make_unique<Replaced>(program_, hash_, CallLog(terms_, matching, never), replaces,
+    replaced_ = std::make_unique<Replaced>(program_, workplace_, hash_, CallLog(terms_, matching, never), replaces,
                                            [this](terms::TermId when, terms::TermId code) { NoteFault(when, code); });
   }
   MakeArguments();

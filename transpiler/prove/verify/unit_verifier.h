@@ -14,7 +14,6 @@
 #include "transpiler/prove/verify/unit_environment.h"
 #include "transpiler/prove/verify/verified_program.h"
 #include "transpiler/symbolic/execute/execute.h"
-#include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/solver/solver.h"
 #include "transpiler/symbolic/solver/sweep.h"
 
@@ -39,14 +38,14 @@ struct Treatment {
 
 class UnitVerifier {
  public:
-  /// `deadline` outlives the verifier.
-  UnitVerifier(const VerifiedProgram& program, const Unit& unit, const ArgumentCase& given, const Treatment& treatment,
-               const solver::Deadline& deadline)
+  /// `workplace` outlives the verifier.
+  UnitVerifier(const VerifiedProgram& program, Workplace& workplace, const Unit& unit, const ArgumentCase& given,
+               const Treatment& treatment)
       : program_(program),
+        workplace_(workplace),
         unit_(unit),
         given_(given),
         treatment_(treatment),
-        deadline_(deadline),
         routine_(program.ir.routines[unit.part.routine]),
         image_(program.image) {}
 
@@ -110,10 +109,10 @@ class UnitVerifier {
   std::vector<terms::TermId> VariablesOf(const solver::TermPair& pair) const;
 
   const VerifiedProgram& program_;
+  Workplace& workplace_;
   const Unit& unit_;
   const ArgumentCase& given_;
   const Treatment& treatment_;
-  const solver::Deadline& deadline_;
   const ir::Routine& routine_;
   StateImage image_;
   terms::Terms terms_;

@@ -1,8 +1,12 @@
-// What the proofs of one program's functions share.
+// What the proofs of one program's functions share, and what each has for itself.
+//
+// Functions are proved by several threads: what they share is not changed while one of them is, and each has the rest
+// to itself.
 #pragma once
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transpiler/emit/emittable.h"
@@ -13,22 +17,20 @@
 #include "transpiler/prove/verify/units.h"
 #include "transpiler/prove/verify/verify.h"
 #include "transpiler/symbolic/solver/answered.h"
+#include "transpiler/symbolic/solver/deadline.h"
 
 namespace plcxx::prove::verify {
 
 struct VerifiedProgram {
-  VerifiedProgram(const emit::Emittable& printed, CompiledCode& compiled, const CodeShape& code_shape,
-                  const VerifyLimits& given)
+  VerifiedProgram(const emit::Emittable& printed, const CodeShape& code_shape, VerifyLimits given)
       : emittable(printed),
         ir(*printed.program),
-        code(compiled),
         shape(code_shape),
-        limits(given),
+        limits(std::move(given)),
         cells(execute::MakeCells(ir)),
         image(ir, printed.layout, cells),
         units(MakeUnits(printed, cells)),
-        calls(units.all.size()),
-        is_unknown(units.all.size()) {
+        unknown(units.all.size()) {
     for (const ir::RoutineId routine : shape.unknown) AddUnknown(units.of_routines[routine.index]);
   }
 
@@ -37,24 +39,32 @@ struct VerifiedProgram {
 
   const emit::Emittable& emittable;
   const ir::Program& ir;
-  CompiledCode& code;
   const CodeShape& shape;
-  const VerifyLimits& limits;
+  VerifyLimits limits;
   execute::Cells cells;
   StateImage image;
   Units units;
-  std::vector<std::unique_ptr<ReplacedCall>> calls;  // by UnitId: of those that are proved
-  std::vector<bool> is_unknown;                      // by UnitId: replaced even where calls are followed
-  std::unique_ptr<solver::AnsweredForms> answered = std::make_unique<solver::AnsweredForms>();
+  std::vector<std::unique_ptr<ReplacedCall>> unknown;  // by UnitId: of those that are replaced wherever they are called
 
  private:
   void AddUnknown(UnitId unit) {
     if (!unit.valid()) return;
-    is_unknown[unit.index] = true;
-    calls[unit.index] = std::make_unique<ReplacedCall>(emittable, cells, image, units[unit], shape.passes,
-                                                       ParametersOf(emittable, units[unit], shape.passes),
-                                                       RangeOfResult(ir, units[unit]));
+    unknown[unit.index] = std::make_unique<ReplacedCall>(emittable, cells, image, units[unit], shape.passes,
+                                                         ParametersOf(emittable, units[unit], shape.passes),
+                                                         RangeOfResult(ir, units[unit]));
   }
+};
+
+/// What one function is proved with.
+struct Workplace {
+  CompiledCode& code;
+  /// By UnitId: those that are unknown, and of what the function calls, itself or through others, those that are
+  /// proved.
+  std::vector<const ReplacedCall*> calls;
+  solver::Deadline deadline;
+  /// Its own: with what others have found out before, the solver's way, and the values that it shows of a difference,
+  /// would depend on who was first.
+  solver::AnsweredForms answered;
 };
 
 }  // namespace plcxx::prove::verify

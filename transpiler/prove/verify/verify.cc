@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "transpiler/prove/verify/unit_verifier.h"
 #include "transpiler/prove/verify/verified_program.h"
+#include "transpiler/support/work_in_order.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 #include "transpiler/symbolic/solver/deadline.h"
 
@@ -35,16 +37,17 @@ void Add(RoutineProof& all, RoutineProof one) {
   all.claims += one.claims;
 }
 
-/// All functions of a program, callees first.
+/// All functions of a program, each after its callees, several at a time.
 class Verification {
  public:
-  Verification(const emit::Emittable& emittable, CompiledCode& code, const CodeShape& shape, const VerifyLimits& limits)
-      : program_(emittable, code, shape, limits),
-        visited_(program_.units.all.size()),
-        open_(program_.units.all.size()) {}
+  Verification(const emit::Emittable& emittable, const CodeShape& shape, const VerifyLimits& limits)
+      : program_(emittable, shape, Guarded(limits)),
+        pieces_(program_.units.all.size()),
+        for_callers_(program_.units.all.size()) {}
 
-  void ProveRoutine(ir::RoutineId routine) { Prove(program_.units.of_routines[routine.index]); }
-  std::vector<RoutineProof> TakeProofs() { return std::move(proofs_); }
+  void AddRoutine(ir::RoutineId routine) { AddUnit(program_.units.of_routines[routine.index]); }
+  /// Of those that were added, callees first.
+  std::vector<RoutineProof> Prove(CompiledCode& code);
 
  private:
   /// What the proof of a function takes for granted.
@@ -61,33 +64,62 @@ class Verification {
   /// What one execution of a unit has shown.
   static Try Shown(UnitVerifier& verifier);
 
-  void Prove(UnitId id);
-  /// Of calls that are replaced, also in functions that are followed.
-  void Collect(const Unit& unit, Granted& granted) const;
-  Try ProveWith(const Unit& unit, Loops loops, Granted& granted, const solver::Deadline& deadline) const;
-  /// For all constants that it is called with.
-  Try ProveCases(const Unit& unit, Callees callees, Loops loops, const solver::Deadline& deadline) const;
-  Try RunInStep(const Unit& unit, const ArgumentCase& given, Callees callees, const solver::Deadline& deadline) const;
-  Try RunOnce(const Unit& unit, const ArgumentCase& given, const Treatment& treatment,
-              const solver::Deadline& deadline) const;
-  /// `greatest_result`: of a proved unit; may be none.
-  void Replace(UnitId id, const std::vector<std::string>& parameters, std::set<std::string> open,
-               std::optional<uint64_t> greatest_result);
+  /// What a function's callers are proved with.
+  struct ForCallers {
+    std::unique_ptr<ReplacedCall> call;  // none: it is followed
+    std::set<std::string> open;          // of it and of what it calls, those that are not decided
+  };
 
+  /// Progress and proofs are told by one thread at a time: who is told need not know of threads.
+  VerifyLimits Guarded(VerifyLimits limits);
+  void AddUnit(UnitId id);
+  Workplace WorkplaceOf(UnitId id, CompiledCode& code) const;
+  /// None: it is not proved by itself. Of what others read it writes only what is for its callers.
+  std::optional<RoutineProof> ProveUnit(UnitId id, CompiledCode& code);
+  /// Of calls that are replaced, also in functions that are followed.
+  void Collect(const Unit& unit, const Workplace& workplace, Granted& granted) const;
+  Try ProveWith(const Unit& unit, Loops loops, Granted& granted, Workplace& workplace) const;
+  /// For all constants that it is called with.
+  Try ProveCases(const Unit& unit, Callees callees, Loops loops, Workplace& workplace) const;
+  Try RunInStep(const Unit& unit, const ArgumentCase& given, Callees callees, Workplace& workplace) const;
+  Try RunOnce(const Unit& unit, const ArgumentCase& given, const Treatment& treatment, Workplace& workplace) const;
+  /// `greatest_result`: of a proved unit; may be none.
+  ForCallers MakeForCallers(const Unit& unit, const CompiledCode& code, const std::vector<std::string>& parameters,
+                            std::set<std::string> open, std::optional<uint64_t> greatest_result) const;
+
+  std::mutex telling_;
   VerifiedProgram program_;
-  std::vector<bool> visited_;                // by UnitId
-  std::vector<std::set<std::string>> open_;  // by UnitId, of those that are replaced
-  std::vector<RoutineProof> proofs_;
+  support::WorkInOrder work_;
+  std::vector<UnitId> units_;             // by PieceId
+  std::vector<support::PieceId> pieces_;  // by UnitId; none: it is not asked for
+  std::vector<ForCallers> for_callers_;   // by UnitId
 };
 
-void Verification::Collect(const Unit& unit, Granted& granted) const {
+VerifyLimits Verification::Guarded(VerifyLimits limits) {
+  if (limits.progress) {
+    limits.progress = [this, tell = std::move(limits.progress)](const std::string& text) {
+      const std::lock_guard<std::mutex> lock(telling_);
+      tell(text);
+    };
+  }
+  if (limits.is_decided) {
+    limits.is_decided = [this, tell = std::move(limits.is_decided)](const RoutineProof& proof) {
+      const std::lock_guard<std::mutex> lock(telling_);
+      tell(proof);
+    };
+  }
+  return limits;
+}
+
+void Verification::Collect(const Unit& unit, const Workplace& workplace, Granted& granted) const {
   for (const UnitId id : unit.callees) {
     const Unit& callee = program_.units[id];
-    if (program_.calls[id.index] == nullptr) {
-      Collect(callee, granted);
+    if (workplace.calls[id.index] == nullptr) {
+      Collect(callee, workplace, granted);
     } else if (std::ranges::find(granted.functions, callee.name) == granted.functions.end()) {
       granted.functions.push_back(callee.name);
-      granted.open.insert(open_[id.index].begin(), open_[id.index].end());
+      const std::set<std::string>& open = for_callers_[id.index].open;
+      granted.open.insert(open.begin(), open.end());
     }
   }
 }
@@ -102,28 +134,28 @@ Verification::Try Verification::Shown(UnitVerifier& verifier) {
 }
 
 Verification::Try Verification::RunOnce(const Unit& unit, const ArgumentCase& given, const Treatment& treatment,
-                                        const solver::Deadline& deadline) const {
-  UnitVerifier verifier(program_, unit, given, treatment, deadline);
+                                        Workplace& workplace) const {
+  UnitVerifier verifier(program_, workplace, unit, given, treatment);
   return Shown(verifier);
 }
 
 /// What is guessed of loops and is not so is dropped, until all that is claimed of them is so, or too little is left.
 Verification::Try Verification::RunInStep(const Unit& unit, const ArgumentCase& given, Callees callees,
-                                          const solver::Deadline& deadline) const {
+                                          Workplace& workplace) const {
   Treatment treatment{.callees = callees, .loops = Loops::kInStep, .dropped = {}};
   bool second_chance = false;
   for (int i = 0;; ++i) {
-    UnitVerifier verifier(program_, unit, given, treatment, deadline);
+    UnitVerifier verifier(program_, workplace, unit, given, treatment);
     Try tried = Shown(verifier);
     if (i == 0 && tried.has_loops && tried.proof.result != ProofResult::kProved) {
       // Before guesses are looked for that would not help: the first rounds may differ.
       Try first = RunOnce(
           unit, given, {.callees = Callees::kFollowed, .loops = Loops::kFirstRounds, .dropped = {}, .is_glance = true},
-          deadline);
+          workplace);
       if (first.proof.result == ProofResult::kDifferent) return first;
     }
     for (const std::string& guess : verifier.refuted()) ++treatment.dropped[guess];
-    if (i == kMostRetries || deadline.IsOver()) return tried;
+    if (i == kMostRetries || workplace.deadline.IsOver()) return tried;
     if (!verifier.refuted().empty()) continue;
     // What the code keeps may have been dropped for what was said wrongly of the program's words; these are right now.
     const auto of_code = [](const auto& dropped) { return dropped.first.starts_with(kGuessOfCode); };
@@ -133,13 +165,12 @@ Verification::Try Verification::RunInStep(const Unit& unit, const ArgumentCase& 
   }
 }
 
-Verification::Try Verification::ProveCases(const Unit& unit, Callees callees, Loops loops,
-                                           const solver::Deadline& deadline) const {
+Verification::Try Verification::ProveCases(const Unit& unit, Callees callees, Loops loops, Workplace& workplace) const {
   const bool in_step = loops == Loops::kInStep && callees != Callees::kReplacedInOrder;
   std::optional<Try> all;
   for (const ArgumentCase& given : ArgumentCases(program_.ir, unit)) {
-    Try one = in_step ? RunInStep(unit, given, callees, deadline)
-                      : RunOnce(unit, given, {.callees = callees, .loops = loops, .dropped = {}}, deadline);
+    Try one = in_step ? RunInStep(unit, given, callees, workplace)
+                      : RunOnce(unit, given, {.callees = callees, .loops = loops, .dropped = {}}, workplace);
     if (!all) {
       all = std::move(one);
     } else {
@@ -154,8 +185,7 @@ Verification::Try Verification::ProveCases(const Unit& unit, Callees callees, Lo
 }
 
 /// Calls of proved functions as unknown functions first; `granted.open` becomes empty where nothing was left open.
-Verification::Try Verification::ProveWith(const Unit& unit, Loops loops, Granted& granted,
-                                          const solver::Deadline& deadline) const {
+Verification::Try Verification::ProveWith(const Unit& unit, Loops loops, Granted& granted, Workplace& workplace) const {
   Try tried;
   std::optional<RoutineProof> but_for_open;
   bool has_loops = false;
@@ -164,8 +194,8 @@ Verification::Try Verification::ProveWith(const Unit& unit, Loops loops, Granted
     const bool followed = callees == Callees::kFollowed;
     if (!followed && (granted.functions.empty() || but_for_open)) continue;
     // What was tried in order says least of why nothing is decided.
-    if (deadline.IsOver() && followed && tried.gave_up) break;
-    tried = ProveCases(unit, callees, loops, deadline);
+    if (workplace.deadline.IsOver() && followed && tried.gave_up) break;
+    tried = ProveCases(unit, callees, loops, workplace);
     has_loops = has_loops || tried.has_loops;
     if (tried.proof.result == ProofResult::kProved) {
       if (!followed) tried.proof.relies_on = granted.functions;
@@ -183,50 +213,78 @@ Verification::Try Verification::ProveWith(const Unit& unit, Loops loops, Granted
 
 /// What the compiler says of a function's result; else as many bits as the proof has seen it to need, which the passes
 /// of the program may rest on where it is called.
-void Verification::Replace(UnitId id, const std::vector<std::string>& parameters, std::set<std::string> open,
-                           std::optional<uint64_t> greatest_result) {
-  const Unit& unit = program_.units[id];
-  std::optional<NumberRange> range = program_.code.ResultRange(program_.CppName(unit));
+Verification::ForCallers Verification::MakeForCallers(const Unit& unit, const CompiledCode& code,
+                                                      const std::vector<std::string>& parameters,
+                                                      std::set<std::string> open,
+                                                      std::optional<uint64_t> greatest_result) const {
+  std::optional<NumberRange> range = code.ResultRange(program_.CppName(unit));
   if (!range && greatest_result) {
     const int bits = std::max(1, static_cast<int>(std::bit_width(*greatest_result)));
     if (bits < meaning::WidthOf(program_.ir.places[unit.result].type)) range = {.low = 0, .count = uint64_t{1} << bits};
   }
   auto call = std::make_unique<ReplacedCall>(program_.emittable, program_.cells, program_.image, unit,
                                              program_.shape.passes, parameters, range);
-  if (call->is_opaque()) return;
-  program_.calls[id.index] = std::move(call);
-  open_[id.index] = std::move(open);
+  if (call->is_opaque()) return {};
+  return {.call = std::move(call), .open = std::move(open)};
 }
 
-void Verification::Prove(UnitId id) {
-  if (!id.valid() || visited_[id.index]) return;
-  visited_[id.index] = true;
+void Verification::AddUnit(UnitId id) {
+  if (!id.valid() || pieces_[id.index].valid()) return;
+  std::vector<support::PieceId> needs;
+  for (const UnitId callee : program_.units[id].callees) {
+    AddUnit(callee);
+    needs.push_back(pieces_[callee.index]);
+  }
+  pieces_[id.index] = work_.Add(std::move(needs));
+  units_.push_back(id);
+}
+
+Workplace Verification::WorkplaceOf(UnitId id, CompiledCode& code) const {
+  std::vector<const ReplacedCall*> calls;
+  for (const std::unique_ptr<ReplacedCall>& unknown : program_.unknown) calls.push_back(unknown.get());
+  // Of others it may not be there yet.
+  std::vector<bool> seen(calls.size());
+  std::vector<UnitId> ways = program_.units[id].callees;
+  while (!ways.empty()) {
+    const UnitId at = ways.back();
+    ways.pop_back();
+    if (seen[at.index]) continue;
+    seen[at.index] = true;
+    if (calls[at.index] == nullptr) calls[at.index] = for_callers_[at.index].call.get();
+    ways.insert(ways.end(), program_.units[at].callees.begin(), program_.units[at].callees.end());
+  }
+  return {.code = code,
+          .calls = std::move(calls),
+          .deadline = solver::Deadline(solver::Clock::kProcessor, program_.limits.routine_ms),
+          .answered = {}};
+}
+
+std::optional<RoutineProof> Verification::ProveUnit(UnitId id, CompiledCode& code) {
   const Unit& unit = program_.units[id];
-  for (const UnitId callee : unit.callees) Prove(callee);
-  if (program_.is_unknown[id.index]) return;
+  if (program_.unknown[id.index] != nullptr) return std::nullopt;
   if (!unit.part.region.valid() &&
       std::ranges::find(program_.shape.in_callers, unit.part.routine) != program_.shape.in_callers.end())
-    return;
+    return std::nullopt;
   const bool inner = unit.part.region.valid() || emit::SharesLocals(program_.ir.routines[unit.part.routine].kind);
-  auto parameters = program_.code.Parameters(program_.CppName(unit));
+  auto parameters = code.Parameters(program_.CppName(unit));
   // Nothing has been left out of code that is not optimized.
   if (parameters && program_.shape.passes == Passes::kNothing)
     parameters = ParametersOf(program_.emittable, unit, program_.shape.passes);
   // What the compiler has put into its callers is proved there.
-  if (inner && !parameters) return;
+  if (inner && !parameters) return std::nullopt;
+  Workplace workplace = WorkplaceOf(id, code);
   Granted granted;
-  Collect(unit, granted);
-  const solver::Deadline deadline(solver::Clock::kProcessor, program_.limits.routine_ms);
-  Try tried = ProveWith(unit, Loops::kInStep, granted, deadline);
+  Collect(unit, workplace, granted);
+  Try tried = ProveWith(unit, Loops::kInStep, granted, workplace);
   const auto is_open = [&tried] {
     return tried.proof.result == ProofResult::kNotDecided && !tried.but_for_open.has_value();
   };
-  if (tried.has_loops && is_open() && !deadline.IsOver()) {
+  if (tried.has_loops && is_open() && !workplace.deadline.IsOver()) {
     // The first rounds may differ; and unrolled they may end soon enough.
     const RoutineProof in_step = std::move(tried.proof);
-    tried = ProveCases(unit, Callees::kFollowed, Loops::kFirstRounds, deadline);
+    tried = ProveCases(unit, Callees::kFollowed, Loops::kFirstRounds, workplace);
     if (tried.proof.result != ProofResult::kDifferent) {
-      tried = ProveWith(unit, Loops::kUnrolled, granted, deadline);
+      tried = ProveWith(unit, Loops::kUnrolled, granted, workplace);
       if (is_open()) tried.proof = in_step;
     }
   }
@@ -245,9 +303,29 @@ void Verification::Prove(UnitId id) {
   const bool init = !inner && program_.ir.routines[unit.part.routine].kind == ir::RoutineKind::kInit;
   const bool proved = proof.result == ProofResult::kProved;
   if (takes_over && !init && parameters)
-    Replace(id, *parameters, std::move(granted.open), proved ? tried.greatest_result : std::nullopt);
-  if (program_.limits.is_decided) program_.limits.is_decided(proof);
-  proofs_.push_back(std::move(proof));
+    for_callers_[id.index] =
+        MakeForCallers(unit, code, *parameters, std::move(granted.open), proved ? tried.greatest_result : std::nullopt);
+  return std::move(proof);
+}
+
+std::vector<RoutineProof> Verification::Prove(CompiledCode& code) {
+  const size_t workers = std::clamp<size_t>(work_.size(), 1, program_.limits.jobs);
+  std::vector<std::unique_ptr<CompiledCode>> copies;
+  while (copies.size() + 1 < workers) copies.push_back(code.Copy());
+  std::vector<std::optional<RoutineProof>> found(work_.size());  // by PieceId
+  work_.Run(
+      workers,
+      [&](support::PieceId piece, size_t worker) {
+        found[piece.index] = ProveUnit(units_[piece.index], worker == 0 ? code : *copies[worker - 1]);
+      },
+      [&](support::PieceId piece) {
+        if (program_.limits.is_decided && found[piece.index]) program_.limits.is_decided(*found[piece.index]);
+      });
+  std::vector<RoutineProof> proofs;
+  for (std::optional<RoutineProof>& proof : found) {
+    if (proof) proofs.push_back(std::move(*proof));
+  }
+  return proofs;
 }
 
 }  // namespace
@@ -264,9 +342,9 @@ std::vector<ir::RoutineId> RoutinesToVerify(const ir::Program& program) {
 std::vector<RoutineProof> Verify(const emit::Emittable& emittable, CompiledCode& code,
                                  std::span<const ir::RoutineId> routines, const VerifyLimits& limits,
                                  const CodeShape& shape) {
-  Verification verification(emittable, code, shape, limits);
-  for (const ir::RoutineId routine : routines) verification.ProveRoutine(routine);
-  return verification.TakeProofs();
+  Verification verification(emittable, shape, limits);
+  for (const ir::RoutineId routine : routines) verification.AddRoutine(routine);
+  return verification.Prove(code);
 }
 
 }  // namespace plcxx::prove::verify

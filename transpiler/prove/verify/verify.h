@@ -85,8 +85,9 @@ struct CodeShape {
 struct VerifyLimits {
   uint32_t question_ms = 5'000;
   uint64_t routine_ms = 60'000;
+  uint32_t jobs = 1;  // functions that are proved at a time; nothing that is told depends on it
   std::function<void(const std::string& text)> progress;      // may be empty
-  std::function<void(const RoutineProof& proof)> is_decided;  // each when it is; may be empty
+  std::function<void(const RoutineProof& proof)> is_decided;  // each when it is and all before it are; may be empty
 };
 
 /// The routines that the generated header declares, in its order.

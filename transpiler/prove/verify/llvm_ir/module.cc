@@ -1,10 +1,12 @@
 // The module's functions: bitcode files to one program that can be executed.
 #include <llvm/Analysis/LoopInfo.h>
 #include <llvm/Bitcode/BitcodeReader.h>
+#include <llvm/Bitcode/BitcodeWriter.h>
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/Linker/Linker.h>
 #include <llvm/Support/MemoryBuffer.h>
+#include <llvm/Support/raw_ostream.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
 
 #include <unordered_map>
@@ -14,6 +16,7 @@
 #include "transpiler/prove/verify/llvm_ir/executor.h"
 #include "transpiler/prove/verify/llvm_ir/module.h"
 #include "transpiler/prove/verify/llvm_ir/source_code.h"
+#include "transpiler/support/check.h"
 
 namespace plcxx::prove::verify::llvm_ir {
 namespace {
@@ -40,6 +43,17 @@ class Code : public CompiledCode {
     const auto found = functions_.find(run.function);
     if (found == functions_.end()) return {.refusal = "the code has no function " + run.function};
     return Executor(*module_, flows_, terms, environment, run).Run(*found->second);
+  }
+
+  std::unique_ptr<CompiledCode> Copy() const override {
+    llvm::SmallVector<char, 0> bytes;
+    llvm::raw_svector_ostream stream(bytes);
+    // The order of uses is that in which blocks are found from which one is reached.
+    llvm::WriteBitcodeToFile(*module_, stream, /*ShouldPreserveUseListOrder=*/true);
+    auto context = std::make_unique<llvm::LLVMContext>();
+    auto module = llvm::parseBitcodeFile(llvm::MemoryBufferRef(stream.str(), "copy"), *context);
+    PLCXX_CHECK(static_cast<bool>(module));
+    return std::make_unique<Code>(std::move(context), std::move(*module));
   }
 
   std::optional<std::vector<std::string>> Parameters(const std::string& function) const override {
