@@ -409,11 +409,11 @@ class Classicladder(Machine):
 
     def latch(self):
         coil = self.one(self.coils)
-        for kind in self.rng.sample([51, 52], 2):
+        for kind in self.rng.sample([52, 53], 2):
             self.rung([self.element(kind, coil)])
 
     def take_back(self):
-        self.rung([self.element(52, self.flag)])
+        self.rung([self.element(53, self.flag)])
 
     def block(self, kind, expression):
         self.expressions.append(expression)
