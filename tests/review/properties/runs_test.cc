@@ -36,6 +36,26 @@ TEST(ProveRuns, AViolationAfterALongTimeIsFoundAndShortened) {
   ExpectShown(work);
 }
 
+// Fifty steps, each with three inputs of its own, of which a wrong pair leads back to the first: neither a scenario nor
+// luck comes to the end, and no solver looks so far. Many runs side by side do, from ever farther on.
+TEST(ProveRuns, ALongSequenceIsFollowedToItsEnd) {
+  constexpr int kSteps = 50;
+  std::string source = "$\n";
+  for (int step = 0; step < kSteps; ++step) {
+    const auto input = [step](int factor) { return std::to_string((step * factor + step / 7) % 8); };
+    const std::string at = "*[W30K0=" + std::to_string(step) + "]\n  W30K1=";
+    source +=
+        "DOF: I0A" + input(3) + "*/I1A" + input(5) + "*I2A" + input(1) + at + std::to_string(step + 1) + "\nENDF\n";
+    source += "DOF: I1A" + input(5) + "*I2A" + input(7) + at + "0\nENDF\n";
+  }
+  source += "DOF: [W30K1=W30K1]\n  W30K0=W30K1\nENDF\nU4A0=[W30K0=" + std::to_string(kSteps) + "]\n";
+  const Workplace work;
+  const Ran ran = Prove(work, "m.plc", source, "never U4A0\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("VIOLATED     never U4A0"));
+  ExpectShown(work);
+}
+
 // A proof is about whole periods. With a fast part alone no time of a property passes, and what is violated later may
 // come from it.
 TEST(ProveRuns, AFastPartAloneIsNoStepOfAProperty) {

@@ -1,7 +1,8 @@
 #include "transpiler/prove/diff/wide_runs.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
+#include <utility>
 
 namespace plcxx::prove::diff {
 namespace {
@@ -9,20 +10,6 @@ namespace {
 constexpr uint32_t kMostToldInVain = 3;
 constexpr uint32_t kNewsPeriods = 4;
 constexpr size_t kMostSources = 24, kMostTermsOfSources = 400;
-constexpr uint32_t kMostLanesNear = 128;  // in more of them it is no news that a source differs
-
-uint32_t Count(const terms::Plane& plane) {
-  uint32_t count = 0;
-  for (const uint64_t word : plane.words) count += static_cast<uint32_t>(std::popcount(word));
-  return count;
-}
-template <class Visit>
-void ForEachLane(const terms::Plane& plane, Visit&& visit) {
-  for (uint32_t w = 0; w < terms::Plane::kWords; ++w) {
-    for (uint64_t word = plane.words[w]; word != 0; word &= word - 1)
-      visit(64 * w + static_cast<uint32_t>(std::countr_zero(word)));
-  }
-}
 
 /// Whether it has another value after a part than before it, perhaps.
 bool IsComputed(const machine::Relation& relation, execute::CellId cell) {
@@ -59,8 +46,8 @@ WideRuns::WideRuns(UnrolledVersions versions, const std::vector<execute::CellId>
     old_wanted.push_back(cell);
     new_wanted.push_back(versions_.match.new_of_old[cell.index]);
   }
-  const std::vector<execute::CellId> old_cells = DependedOn(terms_, *old_relation_, old_wanted),
-                                     new_cells = DependedOn(terms_, *new_relation_, new_wanted);
+  const std::vector<execute::CellId> old_cells = wide::DependedOn(terms_, *old_relation_, old_wanted),
+                                     new_cells = wide::DependedOn(terms_, *new_relation_, new_wanted);
   const auto without_calls = [](std::vector<execute::CellId> cells, const machine::Version& version) {
     std::erase_if(cells, [&](execute::CellId cell) { return cell.index >= version.cells.calls; });
     return cells;
@@ -83,7 +70,34 @@ WideRuns::WideRuns(UnrolledVersions versions, const std::vector<execute::CellId>
   for (const execute::CellId request : versions_.requests) {
     if (may_be_set[request.index]) requests_.push_back(request);
   }
-  inputs_.emplace(versions_, terms_, *old_relation_, *new_relation_, settable);
+  FindInputs(settable);
+}
+
+void WideRuns::FindInputs(const std::vector<execute::CellId>& settable) {
+  const std::vector<bool> old_read = wide::ReadCells(terms_, *old_relation_),
+                          new_read = wide::ReadCells(terms_, *new_relation_);
+  std::vector<wide::WideInputs::Input> inputs;
+  wide::Reader by_old{.relation = *old_relation_, .numbers = {}}, by_new{.relation = *new_relation_, .numbers = {}};
+  for (const execute::CellId old_cell : settable) {
+    const execute::CellId new_cell = versions_.match.new_of_old[old_cell.index];
+    // Nothing follows from the others, and there are thousands of them.
+    if (!old_read[old_cell.index] && !(new_cell.valid() && new_read[new_cell.index])) continue;
+    if (versions_.match.starts_otherwise[old_cell.index]) continue;
+    if (!IsInputPair(versions_.old_version, versions_.new_version, versions_.old_uses, versions_.new_uses,
+                     versions_.match, old_cell))
+      continue;
+    const auto number = static_cast<uint32_t>(inputs.size());
+    input_of_[old_cell] = by_old.numbers[old_cell.index] = number;
+    if (new_cell.valid()) by_new.numbers[new_cell.index] = number;
+    inputs.push_back({.cell = old_cell,
+                      .is_machines = machine::DirectionOf(versions_.old_version, old_cell) == ir::Direction::kInput});
+  }
+  inputs_.emplace(terms_, std::move(inputs), std::array{std::move(by_old), std::move(by_new)});
+}
+
+std::optional<uint32_t> WideRuns::NumberOf(execute::CellId old_cell) const {
+  const auto at = input_of_.find(old_cell);
+  return at == input_of_.end() ? std::nullopt : std::optional(at->second);
 }
 
 void WideRuns::FindPairs(const std::vector<execute::CellId>& cells) {
@@ -147,51 +161,15 @@ void WideRuns::PowerOn() {
   now_ms_ = {};
 }
 
-void WideRuns::Set(const WideSet& set) {
-  const WideInputs::Input& input = inputs_->inputs()[set.input];
-  const auto store = [&set](WideMachine& machine, execute::CellId cell) {
-    if (!machine.Has(cell)) return;
-    terms::Plane& plane = machine.Planes(cell)[0];
-    plane = terms::Choice(set.where, set.value, plane);
+void WideRuns::Advance(const wide::Period& period) {
+  const auto store = [this](execute::CellId old_cell, const terms::Plane& where, const terms::Plane& value) {
+    old_machine_->Store(old_cell, where, value);
+    new_machine_->Store(versions_.match.new_of_old[old_cell.index], where, value);
   };
-  store(*old_machine_, input.old_cell);
-  store(*new_machine_, input.new_cell);
-}
-
-/// Some of them, in some lanes.
-void WideRuns::AddDoneRequests(Period& period) {
-  for (const execute::CellId request : requests_) {
-    terms::Plane where;
-    for (uint64_t& word : where.words) word = random_.Next() & random_.Next();
-    period.done.emplace_back(request, where);
-  }
-}
-
-void WideRuns::Advance(const Period& period) {
-  for (const WideSet& set : period.sets) Set(set);
-  for (const auto& [request, where] : period.done) {
-    for (WideMachine* const machine : {&*old_machine_, &*new_machine_}) {
-      const execute::CellId cell = machine == &*old_machine_ ? request : versions_.match.new_of_old[request.index];
-      if (!machine->Has(cell)) continue;
-      terms::Plane& plane = machine->Planes(cell)[0];
-      plane = plane & ~where;
-    }
-  }
-  const ir::Schedule& schedule = versions_.old_version.program->schedule;
-  const WideMachine::Times begin_ms = now_ms_;
+  for (const wide::WideSet& set : period.sets) store(inputs_->inputs()[set.input].cell, set.where, set.value);
+  for (const auto& [request, where] : period.done) store(request, where, terms::Plane());
+  for (wide::WideMachine* const machine : {&*old_machine_, &*new_machine_}) machine->RunPeriod(now_ms_, period_ms());
   for (uint64_t& now : now_ms_) now += period_ms();
-  const bool ends = schedule.period_ends_its_time || schedule.fast_ms != 0;
-  for (const Which which : {Which::kOld, Which::kNew}) {
-    WideMachine& machine = which == Which::kOld ? *old_machine_ : *new_machine_;
-    const machine::Version& version = which == Which::kOld ? versions_.old_version : versions_.new_version;
-    const uint32_t fast_ms = version.program->schedule.fast_ms;
-    for (uint32_t ms = fast_ms; fast_ms != 0 && ms <= schedule.period_ms; ms += fast_ms) {
-      WideMachine::Times now = begin_ms;
-      for (uint64_t& one : now) one += ms;
-      machine.Run(machine::Part::kFast, now);
-    }
-    machine.Run(machine::Part::kPeriod, ends ? now_ms_ : begin_ms);
-  }
 }
 
 void WideRuns::Compare(std::vector<uint32_t>& open, std::vector<Seen>& seen) {
@@ -210,38 +188,22 @@ void WideRuns::Compare(std::vector<uint32_t>& open, std::vector<Seen>& seen) {
   });
 }
 
-void WideRuns::Select(const std::vector<uint32_t>& open, const std::vector<Seen>& seen, Period& period) {
-  std::array<float, kLanes> score{};
-  const auto add = [&score](const terms::Plane& lanes, float weight) {
-    const uint32_t count = Count(lanes);
-    if (count == 0 || count > kMostLanesNear) return;
-    ForEachLane(lanes, [&](uint32_t lane) { score[lane] += weight / static_cast<float>(count); });
-  };
+void WideRuns::Select(const std::vector<uint32_t>& open, const std::vector<Seen>& seen, wide::Period& period) {
+  wide::Scores scores{};
   for (const uint32_t pair : open) {
     terms::Plane near;
     for (const uint32_t source : pairs_[pair].sources) near = near | differences_[source];
-    add(near, 1);
+    wide::AddScore(near, 1, scores);
   }
   // Where something was seen for the first time a moment ago, more follows.
   for (size_t i = seen.size(); i > 0 && seen[i - 1].period + kNewsPeriods > history_.size(); --i)
-    add(seen[i - 1].lanes, 1);
-  for (uint32_t word = 0; word < kWords; ++word) {
-    if (word == kWords - 1 || random_.OneIn(8)) continue;  // these go their own ways
-    constexpr int kTries = 100;
-    uint32_t best = kNoLane;
-    for (int i = 0; i < kTries; ++i) {
-      const auto lane = static_cast<uint32_t>((random_.Next() >> 20) % kLanes);
-      if (score[lane] > 0 && (best == kNoLane || score[lane] > score[best])) best = lane;
-    }
-    if (best == kNoLane) continue;
-    period.copy_of[word] = best;
-    score[best] /= 4;
-  }
+    wide::AddScore(seen[i - 1].lanes, 1, scores);
+  period.copy_of = wide::DrawCopies(scores, random_);
   // Not one after the other: one may be copied from a word that another one is copied to.
-  for (WideMachine* const machine : {&*old_machine_, &*new_machine_}) machine->SpreadLanes(period.copy_of);
-  const WideMachine::Times before = now_ms_;
+  for (wide::WideMachine* const machine : {&*old_machine_, &*new_machine_}) machine->Spread(period.copy_of);
+  const wide::WideMachine::Times before = now_ms_;
   for (uint32_t word = 0; word < kWords; ++word) {
-    if (period.copy_of[word] != kNoLane) now_ms_[word] = before[period.copy_of[word] / 64];
+    if (period.copy_of[word] != wide::kNoLane) now_ms_[word] = before[period.copy_of[word] / 64];
   }
   for (uint32_t word = 0; word < kWords; ++word) {
     if (random_.OneIn(4)) inputs_->ChangeHabits(word);
@@ -256,30 +218,20 @@ void WideRuns::Episode(std::vector<uint32_t>& open, Time end, std::vector<Seen>&
   PowerOn();
   inputs_->Begin();
   for (uint32_t i = 0; i < periods && !open.empty() && std::chrono::steady_clock::now() < end; ++i) {
-    Period period;
-    period.copy_of.fill(kNoLane);
+    wide::Period period;
     if (i != 0 && i % every == 0) Select(open, seen, period);
     period.sets = inputs_->Next(i == 0);
-    AddDoneRequests(period);
+    period.done = wide::DrawDone(requests_, random_);
     Advance(period);
     history_.push_back(std::move(period));
     Compare(open, seen);
   }
 }
 
-std::vector<uint32_t> WideRuns::PathOf(uint32_t lane, uint32_t last_period) const {
-  std::vector<uint32_t> path(last_period);
-  for (uint32_t i = last_period; i-- > 0;) {
-    path[i] = lane;
-    if (history_[i].copy_of[lane / 64] != kNoLane) lane = history_[i].copy_of[lane / 64];
-  }
-  return path;
-}
-
 /// What an input is before a run; no value of a cell where nobody knows.
 uint64_t WideRuns::LevelAtBegin(execute::CellId cell, uint32_t lane) const {
   if (begins_.empty()) return uint64_t{PowerOnValue(versions_.old_version, cell)};
-  const std::optional<uint32_t> number = inputs_->NumberOf(cell);
+  const std::optional<uint32_t> number = NumberOf(cell);
   return number ? uint64_t{begins_[lane / 64].levels[*number]} : ~uint64_t{0};
 }
 
@@ -288,15 +240,14 @@ Run WideRuns::RunOf(const std::vector<uint32_t>& path) const {
   std::map<execute::CellId, uint64_t> level;
   for (uint32_t i = 0; i < path.size(); ++i) {
     std::map<execute::CellId, SetCell> sets;
-    for (const WideSet& set : history_[i].sets) {
-      if (!set.where.Get(path[i])) continue;
-      const WideInputs::Input& input = inputs_->inputs()[set.input];
-      sets[input.old_cell] = {
-          .old_cell = input.old_cell, .new_cell = input.new_cell, .value = uint64_t{set.value.Get(path[i])}};
+    const auto set_cell = [&](execute::CellId cell, bool value) {
+      sets[cell] = {.old_cell = cell, .new_cell = versions_.match.new_of_old[cell.index], .value = uint64_t{value}};
+    };
+    for (const wide::WideSet& one : history_[i].sets) {
+      if (one.where.Get(path[i])) set_cell(inputs_->inputs()[one.input].cell, one.value.Get(path[i]));
     }
     for (const auto& [request, where] : history_[i].done) {
-      if (where.Get(path[i]))
-        sets[request] = {.old_cell = request, .new_cell = versions_.match.new_of_old[request.index], .value = 0};
+      if (where.Get(path[i])) set_cell(request, false);
     }
     std::vector<SetCell>& set = run.periods.emplace_back();
     for (const auto& [cell, one] : sets) {
@@ -321,10 +272,10 @@ std::vector<std::vector<uint32_t>> WideRuns::Cover(const std::vector<Seen>& seen
     const Seen* const latest = *std::ranges::max_element(left, {}, &Seen::period);
     std::array<uint32_t, kLanes> count{};
     for (const Seen* const one : left) {
-      if (one->period == latest->period) ForEachLane(one->lanes, [&](uint32_t lane) { ++count[lane]; });
+      if (one->period == latest->period) wide::ForEachLane(one->lanes, [&](uint32_t lane) { ++count[lane]; });
     }
     const auto best = static_cast<uint32_t>(std::ranges::max_element(count) - count.begin());
-    paths.push_back(PathOf(best, latest->period));
+    paths.push_back(wide::WayOf(history_, best, latest->period));
     const std::vector<uint32_t>& path = paths.back();
     std::erase_if(left, [&path](const Seen* one) { return one->lanes.Get(path[one->period - 1]); });
   }

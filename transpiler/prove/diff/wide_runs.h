@@ -18,8 +18,9 @@
 
 #include "transpiler/prove/diff/runs_from.h"
 #include "transpiler/prove/diff/unrolled.h"
-#include "transpiler/prove/diff/wide_inputs.h"
-#include "transpiler/prove/diff/wide_machine.h"
+#include "transpiler/prove/wide/history.h"
+#include "transpiler/prove/wide/inputs.h"
+#include "transpiler/prove/wide/machine.h"
 
 namespace plcxx::prove::diff {
 
@@ -62,12 +63,6 @@ class WideRuns {
  private:
   static constexpr uint32_t kWords = terms::Plane::kWords, kLanes = terms::Plane::kLanes;
 
-  /// What happened before one period, in all lanes.
-  struct Period {
-    std::vector<WideSet> sets;
-    std::vector<std::pair<execute::CellId, terms::Plane>> done;  // requests that the control clears
-    std::array<uint32_t, kWords> copy_of{};  // lane of which the lanes of a word are copies; kNoLane
-  };
   /// Where a location was seen first.
   struct Seen {
     execute::CellId cell;
@@ -95,19 +90,17 @@ class WideRuns {
   std::vector<uint32_t> InputsNear(std::vector<execute::CellId> read) const;
   void BeginAt(uint32_t word, const SeenState& state);
   /// Inputs by their numbers that get the opposite of what they are.
-  std::vector<WideSet> Opposites(const std::vector<uint32_t>& near, WideStarts::Changes changes);
+  std::vector<wide::WideSet> Opposites(const std::vector<uint32_t>& near, WideStarts::Changes changes);
   void EpisodeFrom(const std::vector<uint32_t>& near, WideStarts::Changes changes, std::vector<uint32_t>& open,
                    Time end, std::vector<Seen>& seen);
-  void AddDoneRequests(Period& period);
-  void Advance(const Period& period);
-  void Set(const WideSet& set);
+  void FindInputs(const std::vector<execute::CellId>& settable);
+  std::optional<uint32_t> NumberOf(execute::CellId old_cell) const;
+  void Advance(const wide::Period& period);
   /// What of `open` (numbers of pairs_) differs now, in which lanes.
   void Compare(std::vector<uint32_t>& open, std::vector<Seen>& seen);
   /// Copies lanes in which the news is near.
-  void Select(const std::vector<uint32_t>& open, const std::vector<Seen>& seen, Period& period);
+  void Select(const std::vector<uint32_t>& open, const std::vector<Seen>& seen, wide::Period& period);
   void Episode(std::vector<uint32_t>& open, Time end, std::vector<Seen>& seen);
-  /// The lane in which a lane was in each period up to the last one: copies are followed back.
-  std::vector<uint32_t> PathOf(uint32_t lane, uint32_t last_period) const;
   uint64_t LevelAtBegin(execute::CellId cell, uint32_t lane) const;
   Run RunOf(const std::vector<uint32_t>& path) const;
   /// Paths in which all that was seen is seen; those that begin alike come one after the other.
@@ -118,15 +111,16 @@ class WideRuns {
   UnrolledVersions versions_;
   terms::Terms terms_;
   std::unique_ptr<machine::Relation> old_relation_, new_relation_;
-  std::optional<WideMachine> old_machine_, new_machine_;
-  std::optional<WideInputs> inputs_;
+  std::optional<wide::WideMachine> old_machine_, new_machine_;
+  std::optional<wide::WideInputs> inputs_;
+  std::map<execute::CellId, uint32_t> input_of_;  // by old cell: its number
   std::vector<execute::CellId> requests_;
   std::vector<Pair> pairs_;
   std::map<execute::CellId, uint32_t> pair_of_;  // by old cell
   std::vector<terms::Plane> differences_;        // by pair, after the last period
-  std::vector<Period> history_;                  // of the episode
+  std::vector<wide::Period> history_;            // of the episode
   std::vector<Begin> begins_;                    // of the episode, by word; none: power-on
-  WideMachine::Times now_ms_{};
+  wide::WideMachine::Times now_ms_{};
   uint32_t episodes_ = 0;
   terms::Random random_{0xB5026F5AA96619E9};
 };

@@ -23,7 +23,7 @@ std::vector<uint32_t> WideRuns::InputsNear(std::vector<execute::CellId> read) co
   const auto add = [&open](terms::TermId term) { open.push_back(term); };
   // Cell by cell, and of each what is near its root first.
   for (size_t next = 0; next < read.size() && near.size() < kMostNear; ++next) {
-    if (const std::optional<uint32_t> number = inputs_->NumberOf(read[next])) near.push_back(*number);
+    if (const std::optional<uint32_t> number = NumberOf(read[next])) near.push_back(*number);
     open.clear();
     old_relation_->ForEachNext(read[next], add);
     if (const execute::CellId new_cell = versions_.match.new_of_old[read[next].index]; new_cell.valid())
@@ -55,11 +55,11 @@ void WideRuns::BeginAt(uint32_t word, const SeenState& state) {
   now_ms_[word] = state.now_ms;
   Begin& begin = begins_[word];
   begin.levels.clear();
-  for (const WideInputs::Input& input : inputs_->inputs())
-    begin.levels.push_back(static_cast<uint8_t>(state.value(Which::kOld, input.old_cell)));
+  for (const wide::WideInputs::Input& input : inputs_->inputs())
+    begin.levels.push_back(static_cast<uint8_t>(state.value(Which::kOld, input.cell)));
 }
 
-std::vector<WideSet> WideRuns::Opposites(const std::vector<uint32_t>& near, WideStarts::Changes changes) {
+std::vector<wide::WideSet> WideRuns::Opposites(const std::vector<uint32_t>& near, WideStarts::Changes changes) {
   std::map<uint32_t, terms::Plane> lanes;  // by number of the input
   for (uint32_t lane = 0; lane < kLanes; ++lane) {
     const uint32_t first = begins_[lane / kOfWord].first_near + lane % kOfWord;
@@ -73,11 +73,12 @@ std::vector<WideSet> WideRuns::Opposites(const std::vector<uint32_t>& near, Wide
       lanes[near[(random_.Next() >> 20) % below]].Set(lane, true);
     }
   }
-  std::vector<WideSet> sets;
+  std::vector<wide::WideSet> sets;
   for (const auto& [number, where] : lanes) {
-    const WideInputs::Input& input = inputs_->inputs()[number];
-    const WideMachine& machine = old_machine_->Has(input.old_cell) ? *old_machine_ : *new_machine_;
-    const execute::CellId cell = &machine == &*old_machine_ ? input.old_cell : input.new_cell;
+    const execute::CellId old_cell = inputs_->inputs()[number].cell;
+    const bool has_old = old_machine_->Has(old_cell);
+    const wide::WideMachine& machine = has_old ? *old_machine_ : *new_machine_;
+    const execute::CellId cell = has_old ? old_cell : versions_.match.new_of_old[old_cell.index];
     if (!machine.Has(cell)) continue;
     sets.push_back({.input = number, .where = where, .value = ~machine.Planes(cell)[0]});
   }
@@ -89,12 +90,11 @@ void WideRuns::EpisodeFrom(const std::vector<uint32_t>& near, WideStarts::Change
   const bool is_one_by_one = changes == WideStarts::Changes::kOneByOne;
   const uint32_t periods = is_one_by_one ? kMomentPeriods : kSeveralPeriods;
   for (uint32_t i = 0; i < periods && !open.empty() && std::chrono::steady_clock::now() < end; ++i) {
-    Period period;
-    period.copy_of.fill(kNoLane);
+    wide::Period period;
     if (i % kSeveralEvery == 0) {
       if (i != 0) Select(open, seen, period);
       period.sets = Opposites(near, changes);
-      if (!is_one_by_one) AddDoneRequests(period);
+      if (!is_one_by_one) period.done = wide::DrawDone(requests_, random_);
     }
     Advance(period);
     history_.push_back(std::move(period));

@@ -8,6 +8,7 @@
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/prove/properties/condition.h"
 #include "transpiler/prove/properties/cone.h"
+#include "transpiler/prove/properties/wide_search.h"
 #include "transpiler/symbolic/execute/execute.h"
 #include "transpiler/symbolic/terms/cone.h"
 
@@ -21,6 +22,7 @@ constexpr uint32_t kFirstInductionShare = 8, kInductionShare = 2;
 constexpr uint32_t kMostFirstMs = 200, kMostQuickMs = 1500;
 constexpr uint32_t kMostPlantedMs = 2000;  // after a violation without the plant
 constexpr uint32_t kMostQuickWindow = 20;
+constexpr uint32_t kMostNotRepeated = 3;  // what the control does by itself, it does in the next runs, too
 constexpr std::chrono::seconds kRemarkTime{5};
 constexpr std::chrono::milliseconds kDeepenedTime{1500};  // before runs are tried for long
 constexpr size_t kMostQuestionTerms = 250'000;
@@ -66,6 +68,8 @@ PropertyChecker::PropertyChecker(const machine::Version& version, CheckOptions o
   refusal_ = plain_->refusal();
   if (refusal_.empty()) refusal_ = anywhere_->refusal();
 }
+
+PropertyChecker::~PropertyChecker() = default;
 
 uint32_t PropertyChecker::RestMs() const {
   const auto rest =
@@ -137,6 +141,8 @@ std::string PropertyChecker::RemarkOn(const Property& property) {
 
 PropertyResult PropertyChecker::CheckInTime(const Property& property) {
   invariants_.clear();
+  wide_.reset();
+  not_repeated_ = 0;
   if (property.kind == PropertyKind::kNeverStuck) return CheckNeverStuck(property);
   PropertyResult result;
   // Most of what holds is proved in less time than many runs would take.
@@ -145,7 +151,12 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
   bool tried_runs = false, looked_for_invariants = false;
   const auto try_runs = [&] {
     if (std::exchange(tried_runs, true)) return false;
-    return TryRuns(property, RestMs() / kThoroughShare, true, result);
+    return TryWideRuns(property, RestMs() / kThoroughShare / 2, result) ||
+           TryRuns(property, RestMs() / kThoroughShare / 2, true, result);
+  };
+  const auto try_quickly = [&] {
+    const auto time = [this] { return std::min(kMostQuickMs, RestMs() / kSearchShare) / 2; };
+    return TryWideRuns(property, time(), result) || TryRuns(property, time(), true, result);
   };
   const auto search_runs = [&](uint32_t period) {
     if (!SearchRuns(property, period, result)) return false;
@@ -155,7 +166,7 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
   };
   if (window > kMostQuickWindow) {
     // A long wait is found sooner by waiting, if it is found at all; what holds is counted.
-    if (TryRuns(property, std::min(kMostQuickMs, RestMs() / kSearchShare), true, result)) return result;
+    if (try_quickly()) return result;
     if (!options_.only_runs && TryCountingIn(RestMs() - RestMs() / kThoroughShare, property, result)) return result;
     if (try_runs()) return result;
   }
@@ -169,11 +180,12 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
     if (!options_.only_runs && TryInduction(property, k, result)) return result;
     if (!options_.only_runs && !looked_for_invariants && !Late()) {
       looked_for_invariants = true;
+      if (TryWideRuns(property, std::min(kMostFirstMs, RestMs() / kQuickShare), result)) return result;
       FindInvariantsFor(property);
       if (!invariants_.empty() && TryInduction(property, k, result)) return result;
       // Few facts are found at once; a violation that is not far away is found sooner than many.
       if (TryReachableFor(std::min(kMostQuickMs, RestMs() / kQuickShare), property, result)) return result;
-      if (TryRuns(property, std::min(kMostQuickMs, RestMs() / kSearchShare), true, result)) return result;
+      if (try_quickly()) return result;
       if (TryReachable(property, result)) return result;
     }
     // As long as they cost little, more periods hit what takes luck in a run.
@@ -208,6 +220,28 @@ bool PropertyChecker::TryRuns(const Property& property, uint64_t milliseconds, b
   }
   AddInputsBehind(OperandCellsOf(property), search);
   return TryFound(property, options_.try_runs(search), result);
+}
+
+bool PropertyChecker::TryWideRuns(const Property& property, uint64_t milliseconds, PropertyResult& result) {
+  if (!options_.try_runs || options_.retentive == RetentiveMemory::kAny || Late()) return false;
+  Report("trying runs side by side");
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
+  RunSearch search{.property = &property, .inputs = {}, .requests = {}, .milliseconds = milliseconds};
+  AddInputsBehind(OperandCellsOf(property), search);
+  if (!wide_) {
+    const std::vector<execute::CellId> behind = CellsBehind(terms_, *silent_, OperandCellsOf(property));
+    wide_ = std::make_unique<WideSearch>(terms_, *silent_, search, NumbersAmong(behind), end);
+  }
+  search.only_similar = true;
+  while (not_repeated_ < kMostNotRepeated) {
+    const std::optional<PropertyRun> run = wide_->Find(end);
+    if (!run) return false;
+    search.similar = &*run;
+    search.milliseconds = std::max<uint64_t>(kMostFirstMs, RestMs() / kQuickShare);
+    if (TryFound(property, options_.try_runs(search), result)) return true;
+    ++not_repeated_;
+  }
+  return false;
 }
 
 bool PropertyChecker::TryPlantedRuns(const Property& property, RunSearch search, PropertyResult& result) {
@@ -401,12 +435,14 @@ void PropertyChecker::FindInvariantsAround(const std::vector<execute::CellId>& c
   }
   if (terms::ConeOf(terms_, next).size() > kMostQuestionTerms) return;
   Report("invariants");
+  const invariants::SeenStates seen =
+      [this](const std::function<void(const invariants::CellValues&, uint64_t)>& visit) { wide_->ForEachState(visit); };
   invariants::InvariantFinder finder(
       terms_, *solver_,
       {.version = version_,
        .cells = cells,
        .is_input = [this](execute::CellId cell) { return bool{new_each_time_[cell.index]}; },
-       .seen_states = {}});
+       .seen_states = wide_ ? seen : invariants::SeenStates()});
   finder.Find(RestMs() / 3);
   invariants_ = finder.invariants();
 }

@@ -51,6 +51,7 @@ struct RunSearch {
   bool thorough = false;  // take all of the time
   /// A run without the plant that violates it: what it sets is worth trying with the plant. May be null.
   const PropertyRun* similar = nullptr;
+  bool only_similar = false;
 };
 
 using FindRun = std::function<std::optional<PropertyRun>(const RunSearch& search)>;
@@ -90,11 +91,14 @@ struct CheckOptions {
   std::function<std::string(const Property& property, const PropertyResult& result)> why_not_shown;
 };
 
+class WideSearch;
+
 /// Checks the properties of one program one after the other; what they share is executed once.
 class PropertyChecker {
  public:
   /// `version` outlives it. Without a solver every check is refused.
   PropertyChecker(const machine::Version& version, CheckOptions options);
+  ~PropertyChecker();
 
   /// Not empty: nothing can be checked, and why.
   const std::string& refusal() const { return refusal_; }
@@ -119,6 +123,8 @@ class PropertyChecker {
   std::vector<terms::TermId> StaysQuiet(machine::Unrolled& unrolled, uint32_t periods);
   bool SearchRuns(const Property& property, uint32_t period, PropertyResult& result);
   bool TryRuns(const Property& property, uint64_t milliseconds, bool thorough, PropertyResult& result);
+  /// Many of them side by side; what is found counts when it was repeated.
+  bool TryWideRuns(const Property& property, uint64_t milliseconds, PropertyResult& result);
   bool TryPlantedRuns(const Property& property, RunSearch search, PropertyResult& result);
   bool TryFound(const Property& property, std::optional<PropertyRun> run, PropertyResult& result);
   /// A run without the plant violates it: one with the plant takes its place where a short search finds one.
@@ -143,7 +149,8 @@ class PropertyChecker {
   bool TryCounting(const Property& property, PropertyResult& result);
   /// The same within a part of the time that is left.
   bool TryCountingIn(uint32_t milliseconds, const Property& property, PropertyResult& result);
-  std::vector<std::vector<terms::TermId>> RegistersAmong(const std::vector<execute::CellId>& cells);
+  /// Numbers of the program in some cells, the nearest ones first: fields, and what places of whole bytes name.
+  std::vector<std::vector<execute::CellId>> NumbersAmong(const std::vector<execute::CellId>& cells) const;
   void FindInvariantsFor(const Property& property);
   void FindInvariantsAround(const std::vector<execute::CellId>& cells);
   PropertyRun RunOf(machine::Unrolled& unrolled, terms::TermId violated, uint32_t periods);
@@ -187,6 +194,8 @@ class PropertyChecker {
   std::unique_ptr<machine::Unrolled>
       answered_;  // from power-on, the host answers anything; none where that makes no difference
   std::unique_ptr<machine::Unrolled> anywhere_;  // from any state
+  std::unique_ptr<WideSearch> wide_;             // of the present check, once it was needed
+  uint32_t not_repeated_ = 0;                    // runs of it
   std::vector<invariants::Invariant> invariants_;
   bool too_large_ = false;  // the last question was not asked
   uint32_t replays_ = 0;    // runs of this check that were asked why they are not shown

@@ -45,10 +45,9 @@ class Counters {
 
 }  // namespace
 
-/// Numbers of the program in some cells, the nearest ones first: fields, and what places of whole bytes name.
-std::vector<std::vector<terms::TermId>> PropertyChecker::RegistersAmong(const std::vector<execute::CellId>& cells) {
+std::vector<std::vector<execute::CellId>> PropertyChecker::NumbersAmong(
+    const std::vector<execute::CellId>& cells) const {
   const ir::Program& program = *version_.program;
-  machine::Relation& relation = Widest();
   std::map<execute::CellId, std::vector<execute::CellId>> word_of;  // by its first cell
   for (const ir::Place& place : program.places) {
     const bool is_number = !place.is_field() && !place.indexed && place.type != ir::Type::kBit &&
@@ -61,7 +60,7 @@ std::vector<std::vector<terms::TermId>> PropertyChecker::RegistersAmong(const st
       if (known.size() < word.size()) known = word;
     }
   }
-  std::vector<std::vector<terms::TermId>> registers;
+  std::vector<std::vector<execute::CellId>> numbers;
   std::vector<bool> taken(version_.cells.count);
   for (const execute::CellId cell : cells) {
     if (taken[cell.index] || new_each_time_[cell.index]) continue;
@@ -75,13 +74,10 @@ std::vector<std::vector<terms::TermId>> PropertyChecker::RegistersAmong(const st
     } else if (execute::CellWidth(program, what) == 1) {
       continue;
     }
-    registers.emplace_back();
-    for (const execute::CellId one : word) {
-      taken[one.index] = true;
-      registers.back().push_back(relation.VariableOf(one));
-    }
+    for (const execute::CellId one : word) taken[one.index] = true;
+    numbers.push_back(std::move(word));
   }
-  return registers;
+  return numbers;
 }
 
 bool PropertyChecker::TryCountingIn(uint32_t milliseconds, const Property& property, PropertyResult& result) {
@@ -128,12 +124,16 @@ bool PropertyChecker::TryCounting(const Property& property, PropertyResult& resu
   TimeQuestion times{.reach = question,
                      .solver = *solver_,
                      .counters = counters.variables(),
-                     .registers = RegistersAmong(behind),
+                     .registers = {},
                      .now = has_clock ? relation.now() : terms::TermId(),
                      .bits = {},
                      .period_ms = version_.program->schedule.period_ms};
   std::set<terms::TermId> of_numbers;
-  for (const std::vector<terms::TermId>& number : times.registers) of_numbers.insert(number.begin(), number.end());
+  for (const std::vector<execute::CellId>& number : NumbersAmong(behind)) {
+    std::vector<terms::TermId>& variables = times.registers.emplace_back();
+    for (const execute::CellId cell : number) variables.push_back(relation.VariableOf(cell));
+    of_numbers.insert(variables.begin(), variables.end());
+  }
   for (const execute::CellId cell : behind) {
     const terms::TermId variable = relation.VariableOf(cell);
     const bool is_bit = terms_.Width(variable) == 1 && !new_each_time_[cell.index];

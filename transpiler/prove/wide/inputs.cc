@@ -1,10 +1,11 @@
-#include "transpiler/prove/diff/wide_inputs.h"
+#include "transpiler/prove/wide/inputs.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "transpiler/symbolic/terms/cone.h"
 
-namespace plcxx::prove::diff {
+namespace plcxx::prove::wide {
 namespace {
 
 constexpr uint32_t kWords = terms::Plane::kWords;
@@ -22,11 +23,11 @@ std::vector<terms::TermId> RootsOf(const machine::Relation& relation) {
   return roots;
 }
 
-/// By cell: whether something is computed from it.
-std::vector<bool> ReadCells(const terms::Terms& terms, const machine::Relation& relation,
-                            std::span<const terms::TermId> cone) {
+}  // namespace
+
+std::vector<bool> ReadCells(const terms::Terms& terms, const machine::Relation& relation) {
   std::vector<bool> read(relation.version().cells.count);
-  for (const terms::TermId id : cone) {
+  for (const terms::TermId id : terms::ConeOf(terms, RootsOf(relation))) {
     if (terms[id].kind != terms::TermKind::kVariable) continue;
     const execute::CellId cell = relation.CellOf(id);
     if (cell.valid()) read[cell.index] = true;
@@ -34,45 +35,19 @@ std::vector<bool> ReadCells(const terms::Terms& terms, const machine::Relation& 
   return read;
 }
 
-}  // namespace
-
-WideInputs::WideInputs(const UnrolledVersions& versions, const terms::Terms& terms,
-                       const machine::Relation& old_relation, const machine::Relation& new_relation,
-                       const std::vector<execute::CellId>& cells) {
-  const std::vector<terms::TermId> old_cone = terms::ConeOf(terms, RootsOf(old_relation)),
-                                   new_cone = terms::ConeOf(terms, RootsOf(new_relation));
-  const std::vector<bool> old_read = ReadCells(terms, old_relation, old_cone),
-                          new_read = ReadCells(terms, new_relation, new_cone);
-  for (const execute::CellId old_cell : cells) {
-    const execute::CellId new_cell = versions.match.new_of_old[old_cell.index];
-    // Nothing follows from the others, and there are thousands of them.
-    if (!old_read[old_cell.index] && !(new_cell.valid() && new_read[new_cell.index])) continue;
-    if (versions.match.starts_otherwise[old_cell.index]) continue;
-    if (!IsInputPair(versions.old_version, versions.new_version, versions.old_uses, versions.new_uses, versions.match,
-                     old_cell))
-      continue;
-    const auto number = static_cast<uint32_t>(inputs_.size());
-    of_old_[old_cell.index] = number;
-    if (new_cell.valid()) of_new_[new_cell.index] = number;
-    inputs_.push_back({.old_cell = old_cell,
-                       .new_cell = new_cell,
-                       .is_machines = machine::DirectionOf(versions.old_version, old_cell) == ir::Direction::kInput});
+WideInputs::WideInputs(const terms::Terms& terms, std::vector<Input> inputs, std::span<const Reader> readers)
+    : inputs_(std::move(inputs)) {
+  for (const Reader& reader : readers) {
+    const std::vector<terms::TermId> cone = terms::ConeOf(terms, RootsOf(reader.relation));
+    AddWords(terms, reader, cone);
+    AddConjunctions(terms, reader, cone);
   }
-  AddWords(terms, old_relation, old_cone, of_old_);
-  AddWords(terms, new_relation, new_cone, of_new_);
-  AddConjunctions(terms, old_relation, old_cone, of_old_);
-  AddConjunctions(terms, new_relation, new_cone, of_new_);
   Begin();
 }
 
-std::optional<uint32_t> WideInputs::NumberOf(execute::CellId old_cell) const {
-  const auto at = of_old_.find(old_cell.index);
-  return at == of_old_.end() ? std::nullopt : std::optional(at->second);
-}
-
 /// What comparisons with constants read.
-void WideInputs::AddWords(const terms::Terms& terms, const machine::Relation& relation,
-                          std::span<const terms::TermId> cone, const std::map<uint32_t, uint32_t>& numbers) {
+void WideInputs::AddWords(const terms::Terms& terms, const Reader& reader, std::span<const terms::TermId> cone) {
+  const auto& [relation, numbers] = reader;
   // The inputs of which a term is put together; false: it is computed from them.
   const auto add_bits = [&](auto&& self, terms::TermId id, uint32_t low, uint32_t width, Word& word) -> bool {
     const terms::Term& term = terms[id];
@@ -133,8 +108,8 @@ void WideInputs::AddWords(const terms::Terms& terms, const machine::Relation& re
 
 /// That a word of bits is equal to a constant is a conjunction of its bits and their opposites, and of what stands
 /// beside it in the program: what of it is of inputs beside each other is a word.
-void WideInputs::AddConjunctions(const terms::Terms& terms, const machine::Relation& relation,
-                                 std::span<const terms::TermId> cone, const std::map<uint32_t, uint32_t>& numbers) {
+void WideInputs::AddConjunctions(const terms::Terms& terms, const Reader& reader, std::span<const terms::TermId> cone) {
+  const auto& [relation, numbers] = reader;
   const auto is_and = [&terms](terms::TermId id) {
     return terms[id].kind == terms::TermKind::kAnd && terms[id].width == 1;
   };
@@ -176,7 +151,7 @@ void WideInputs::AddConjunctions(const terms::Terms& terms, const machine::Relat
       constant = 0;
     };
     for (const auto& [number, value] : values) {
-      const bool is_beside = !word.empty() && inputs_[word.back()].old_cell.index + 1 == inputs_[number].old_cell.index;
+      const bool is_beside = !word.empty() && inputs_[word.back()].cell.index + 1 == inputs_[number].cell.index;
       if (!is_beside || word.size() == kMostBits) end_word();
       constant |= uint64_t{value} << word.size();
       word.push_back(number);
@@ -256,4 +231,4 @@ std::vector<WideSet> WideInputs::Next(bool is_first) {
   return sets;
 }
 
-}  // namespace plcxx::prove::diff
+}  // namespace plcxx::prove::wide

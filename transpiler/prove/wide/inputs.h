@@ -1,22 +1,21 @@
 // Inputs for many runs beside each other: each lane changes its inputs in its own way, some often, some hardly ever.
 //
-// In: two versions as terms. Out: period by period which inputs are set in which lanes. Bits get every density of ones;
-// words get what the program compares them with, and its neighbours. Not its job: what follows from them.
+// In: inputs, and the programs that read them, as terms. Out: period by period which inputs are set in which lanes.
+// Bits get every density of ones; words get what a program compares them with, and its neighbours. Not its job: what
+// follows from them.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "transpiler/prove/diff/unrolled.h"
 #include "transpiler/prove/machine/relation.h"
 #include "transpiler/symbolic/terms/lanes.h"
 #include "transpiler/symbolic/terms/random.h"
 
-namespace plcxx::prove::diff {
+namespace plcxx::prove::wide {
 
 /// An input is set to `value` in the lanes of `where`.
 struct WideSet {
@@ -24,19 +23,24 @@ struct WideSet {
   terms::Plane where, value;
 };
 
+/// A program that reads the inputs.
+struct Reader {
+  const machine::Relation& relation;
+  std::map<uint32_t, uint32_t> numbers;  // by cell of its version: the input's number
+};
+/// By cell: whether something is computed from it in a part.
+std::vector<bool> ReadCells(const terms::Terms& terms, const machine::Relation& relation);
+
 class WideInputs {
  public:
   struct Input {
-    execute::CellId old_cell, new_cell;
+    execute::CellId cell;      // of one version, of all inputs: those beside each other may be bits of a word
     bool is_machines = false;  // an input of the machine; else memory that nobody writes
   };
 
-  /// `cells`: old ones, that both versions' machines may have. All but `cells` outlive it.
-  WideInputs(const UnrolledVersions& versions, const terms::Terms& terms, const machine::Relation& old_relation,
-             const machine::Relation& new_relation, const std::vector<execute::CellId>& cells);
+  WideInputs(const terms::Terms& terms, std::vector<Input> inputs, std::span<const Reader> readers);
 
   const std::vector<Input>& inputs() const { return inputs_; }
-  std::optional<uint32_t> NumberOf(execute::CellId old_cell) const;
   /// New habits for all lanes; those of one word of a plane (terms::Plane) share one.
   void Begin();
   void ChangeHabits(uint32_t word);
@@ -54,21 +58,18 @@ class WideInputs {
   /// A word of inputs, or a part of one, the lowest bit first; none: a bit that is no input.
   using Word = std::vector<uint32_t>;
 
-  /// `numbers`: of the inputs, by cell of the relation's version; `cone`: all that it computes.
-  void AddWords(const terms::Terms& terms, const machine::Relation& relation, std::span<const terms::TermId> cone,
-                const std::map<uint32_t, uint32_t>& numbers);
-  void AddConjunctions(const terms::Terms& terms, const machine::Relation& relation,
-                       std::span<const terms::TermId> cone, const std::map<uint32_t, uint32_t>& numbers);
+  /// `cone`: all that it computes.
+  void AddWords(const terms::Terms& terms, const Reader& reader, std::span<const terms::TermId> cone);
+  void AddConjunctions(const terms::Terms& terms, const Reader& reader, std::span<const terms::TermId> cone);
   void AddConstant(Word word, uint64_t constant);
   uint64_t Sparse(uint32_t one_in_power);
   uint64_t Ones(uint32_t eighths);
 
   std::vector<Input> inputs_;
-  std::map<uint32_t, uint32_t> of_old_, of_new_;  // by cell
-  std::map<Word, std::vector<uint64_t>> words_;   // with what they are compared
+  std::map<Word, std::vector<uint64_t>> words_;  // with what they are compared
   std::array<Habit, terms::Plane::kWords> habits_;
   terms::Random random_{0xC2B2AE3D27D4EB4F};
   uint32_t period_ = 0;
 };
 
-}  // namespace plcxx::prove::diff
+}  // namespace plcxx::prove::wide

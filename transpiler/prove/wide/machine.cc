@@ -1,8 +1,8 @@
-#include "transpiler/prove/diff/wide_machine.h"
+#include "transpiler/prove/wide/machine.h"
 
 #include <algorithm>
 
-namespace plcxx::prove::diff {
+namespace plcxx::prove::wide {
 namespace {
 
 constexpr uint8_t kTimeWidth = 32;
@@ -44,7 +44,10 @@ std::vector<execute::CellId> DependedOn(const terms::Terms& terms, const machine
 
 WideMachine::WideMachine(const terms::Terms& terms, machine::Relation& relation,
                          const std::vector<execute::CellId>& cells, const machine::Transition& init)
-    : cells_(cells), first_plane_(relation.version().cells.count, kNowhere), width_(relation.version().cells.count) {
+    : schedule_(relation.version().program->schedule),
+      cells_(cells),
+      first_plane_(relation.version().cells.count, kNowhere),
+      width_(relation.version().cells.count) {
   const machine::Version& version = relation.version();
   for (const execute::CellId cell : cells) {
     const uint8_t width = execute::CellWidth(*version.program, execute::CellAt(*version.program, version.cells, cell));
@@ -117,13 +120,32 @@ void WideMachine::Run(machine::Part part, const Times& now_ms) {
   }
 }
 
-void WideMachine::SpreadLanes(const std::array<uint32_t, terms::Plane::kWords>& lanes) {
-  for (terms::Plane& plane : state_) {
+void WideMachine::RunPeriod(const Times& begin_ms, uint32_t period_ms) {
+  const auto after = [&begin_ms](uint32_t ms) {
+    Times now = begin_ms;
+    for (uint64_t& one : now) one += ms;
+    return now;
+  };
+  const uint32_t fast_ms = schedule_.fast_ms;
+  for (uint32_t ms = fast_ms; fast_ms != 0 && ms <= schedule_.period_ms; ms += fast_ms)
+    Run(machine::Part::kFast, after(ms));
+  const bool ends = schedule_.period_ends_its_time || fast_ms != 0;
+  Run(machine::Part::kPeriod, after(ends ? period_ms : 0));
+}
+
+void WideMachine::Store(execute::CellId bit, const terms::Plane& where, const terms::Plane& value) {
+  if (!Has(bit)) return;
+  terms::Plane& plane = state_[first_plane_[bit.index]];
+  plane = terms::Choice(where, value, plane);
+}
+
+void SpreadLanes(std::span<terms::Plane> planes, const CopyOf& copy_of) {
+  for (terms::Plane& plane : planes) {
     const terms::Plane before = plane;
     for (uint32_t word = 0; word < terms::Plane::kWords; ++word) {
-      if (lanes[word] != kNoLane) plane.words[word] = before.Get(lanes[word]) ? ~uint64_t{0} : 0;
+      if (copy_of[word] != kNoLane) plane.words[word] = before.Get(copy_of[word]) ? ~uint64_t{0} : 0;
     }
   }
 }
 
-}  // namespace plcxx::prove::diff
+}  // namespace plcxx::prove::wide

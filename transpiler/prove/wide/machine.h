@@ -1,4 +1,4 @@
-// One version of a program in many lanes: each lane is a machine with a state of its own.
+// A program in many lanes: each lane is a machine with a state of its own.
 //
 // In: the parts of its period as terms (machine/relation.h), which cells are wanted. Out: their planes, part by part.
 // Cells that the wanted ones do not depend on, and calls, are not there. Host functions answer 0, as in a simulation
@@ -14,9 +14,18 @@
 #include "transpiler/prove/machine/relation.h"
 #include "transpiler/symbolic/terms/lanes.h"
 
-namespace plcxx::prove::diff {
+namespace plcxx::prove::wide {
 
 inline constexpr uint32_t kNoLane = 0xFFFFFFFF;
+/// By word of a plane: the lane of which its lanes become copies; kNoLane: they stay.
+using CopyOf = std::array<uint32_t, terms::Plane::kWords>;
+inline CopyOf NoCopies() {
+  CopyOf copy_of;
+  copy_of.fill(kNoLane);
+  return copy_of;
+}
+
+void SpreadLanes(std::span<terms::Plane> planes, const CopyOf& copy_of);
 
 class WideMachine {
  public:
@@ -31,15 +40,17 @@ class WideMachine {
   void PowerOn();
   /// The lanes of one word begin with the values that `value` gives.
   void Load(uint32_t word, const std::function<uint64_t(execute::CellId)>& value);
-  /// One part of the schedule. Where fast and slow part have no times of their own, the period is all.
-  void Run(machine::Part part, const Times& now_ms);
+  /// The parts of one period, which takes `period_ms`. Where fast and slow part have no times of their own, the period
+  /// is all.
+  void RunPeriod(const Times& begin_ms, uint32_t period_ms);
 
   bool Has(execute::CellId cell) const { return cell.valid() && first_plane_[cell.index] != kNowhere; }
   /// As many as the cell is wide; of a cell that it has.
   std::span<terms::Plane> Planes(execute::CellId cell);
   std::span<const terms::Plane> Planes(execute::CellId cell) const;
-  /// All lanes of a word of each plane become copies of the lane that is said for it, kNoLane: they stay.
-  void SpreadLanes(const std::array<uint32_t, terms::Plane::kWords>& lanes);
+  /// In the lanes of `where` the bit gets the value that it has in `value`; of what it has not nothing.
+  void Store(execute::CellId bit, const terms::Plane& where, const terms::Plane& value);
+  void Spread(const CopyOf& copy_of) { SpreadLanes(state_, copy_of); }
 
  private:
   static constexpr uint32_t kNowhere = 0xFFFFFFFF;
@@ -48,6 +59,9 @@ class WideMachine {
     std::vector<execute::CellId> written;  // by root
   };
 
+  void Run(machine::Part part, const Times& now_ms);
+
+  const ir::Schedule& schedule_;
   std::vector<execute::CellId> cells_;
   std::vector<uint32_t> first_plane_;  // by cell
   std::vector<uint8_t> width_;         // by cell
@@ -60,4 +74,4 @@ class WideMachine {
 std::vector<execute::CellId> DependedOn(const terms::Terms& terms, const machine::Relation& relation,
                                         std::span<const execute::CellId> wanted);
 
-}  // namespace plcxx::prove::diff
+}  // namespace plcxx::prove::wide

@@ -30,6 +30,7 @@ constexpr uint32_t kStretches[] = {1, 10, 100};
 constexpr uint32_t kSlicedPasses = 2;
 /// The answer is there; a short one is read more easily.
 constexpr std::chrono::seconds kShorteningTime{2};
+constexpr uint32_t kMostTriedCuts = 40;
 
 uint32_t PeriodsOfMs(const scenarios::ProveMachine& machine, uint64_t ms) {
   const uint32_t period_ms = std::max(1U, machine.timing.period_ms);
@@ -209,7 +210,7 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::properties
     return true;
   };
   for (Plan plan : known_) {
-    if (Late()) return std::nullopt;
+    if (Late() || search.only_similar) break;
     if (violates(plan)) return plan;
   }
   for (const uint32_t stretch : kStretches) {
@@ -217,6 +218,7 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::properties
     Plan plan = StretchedPlanOf(*search.similar, stretch);
     if (violates(plan)) return plan;
   }
+  if (search.only_similar) return std::nullopt;
   std::vector<CellId> inputs, of_machine;  // nearest first
   for (const CellId cell : search.inputs) {
     if (!can_be_set_[cell.index]) continue;
@@ -296,7 +298,7 @@ bool PropertyRuns::Try(const prove::properties::Property& property, Plan& plan, 
 
 /// Leaves out what need not be set, in halves and smaller pieces, and what need not be waited for.
 void PropertyRuns::Shorten(const prove::properties::Property& property, Plan& plan) const {
-  ShortenWaits(property, plan);  // first: a short run is soon tried
+  ShortenWaits(property, plan, Cuts::kHalves);  // first: a short run is soon tried
   for (size_t piece = std::max<size_t>(1, plan.events.size() / 2); piece > 0; piece /= 2) {
     for (size_t begin = 0; begin < plan.events.size() && !Late();) {
       Plan shorter = plan;
@@ -306,20 +308,42 @@ void PropertyRuns::Shorten(const prove::properties::Property& property, Plan& pl
       if (!Try(property, plan, std::move(shorter))) begin += piece;
     }
   }
-  ShortenWaits(property, plan);
+  Join(property, plan);
+  const bool waits = std::max(machine_.timing.slow_periods, machine_.timing.fast_periods) > 1;
+  ShortenWaits(property, plan, waits ? Cuts::kEach : Cuts::kHalves);
 }
 
-void PropertyRuns::ShortenWaits(const prove::properties::Property& property, Plan& plan) const {
+/// What is set a little before something else is set with it, where that does as well.
+void PropertyRuns::Join(const prove::properties::Property& property, Plan& plan) const {
+  for (size_t i = 0; i + 1 < plan.events.size() && !Late();) {
+    const uint32_t period = plan.events[i].period;
+    size_t end = i;  // of what is set at once
+    while (end < plan.events.size() && plan.events[end].period == period) ++end;
+    if (end == plan.events.size()) return;
+    Plan joined = plan;
+    for (size_t at = i; at < end; ++at) joined.events[at].period = plan.events[end].period;
+    // The same events again, now with those that follow.
+    if (!Try(property, plan, std::move(joined))) i = end;
+  }
+}
+
+void PropertyRuns::ShortenWaits(const prove::properties::Property& property, Plan& plan, Cuts cuts) const {
+  // Where parts wait for some periods, what is cut must be as long as they wait, and what comes before it may come
+  // sooner.
+  const uint32_t most_tried = cuts == Cuts::kEach ? kMostTriedCuts : 0;
   for (size_t i = 0; i < plan.events.size(); ++i) {
     const uint32_t before = i == 0 ? 1 : plan.events[i - 1].period;
-    for (uint32_t cut = plan.events[i].period - before; cut > 0 && !Late();) {
+    for (uint32_t cut = std::max(plan.events[i].period - before, most_tried); cut > 0 && !Late();) {
       Plan shorter = plan;
-      for (size_t later = i; later < shorter.events.size(); ++later) shorter.events[later].period -= cut;
-      if (Try(property, plan, std::move(shorter))) {
-        if (i >= plan.events.size()) return;
-        cut = std::min(cut, plan.events[i].period - before);
-      } else {
-        cut /= 2;
+      for (size_t later = i; later < shorter.events.size(); ++later) {
+        uint32_t& period = shorter.events[later].period;
+        period = period - before > cut ? period - cut : before;
+      }
+      if (shorter.events.back().period == plan.events.back().period) break;
+      if (!Try(property, plan, std::move(shorter))) {
+        cut = cut <= most_tried ? cut - 1 : cut / 2;
+      } else if (i >= plan.events.size()) {
+        return;
       }
     }
   }

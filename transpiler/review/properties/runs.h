@@ -53,7 +53,11 @@ class PropertyRuns {
   uint32_t ViolatedAfter(const prove::properties::Property& property, const Plan& plan) const;
   std::optional<Plan> FindPlan(const prove::properties::RunSearch& search) const;
   void Shorten(const prove::properties::Property& property, Plan& plan) const;
-  void ShortenWaits(const prove::properties::Property& property, Plan& plan) const;
+  void Join(const prove::properties::Property& property, Plan& plan) const;
+  /// All that may be cut, then half of it and so on; or every number: where parts wait for some periods, what is cut
+  /// must be as long as they wait, and what comes before it may come sooner.
+  enum class Cuts : uint8_t { kHalves, kEach };
+  void ShortenWaits(const prove::properties::Property& property, Plan& plan, Cuts cuts) const;
   bool Try(const prove::properties::Property& property, Plan& plan, Plan shorter) const;
 
   const scenarios::ProveMachine& machine_;
