@@ -57,6 +57,17 @@ std::string TextOf(const prove::verify::RoutineProof& proof) {
   return text + "\n";
 }
 
+/// What is told as it is decided, which is what is found in the end.
+std::string ProofsOf(prove::Subject& subject, uint32_t jobs) {
+  prove::verify::VerifyLimits limits;
+  limits.jobs = jobs;
+  std::string told, all;
+  limits.is_decided = [&told](const prove::verify::RoutineProof& proof) { told += TextOf(proof); };
+  for (const prove::verify::RoutineProof& proof : subject.Proofs(limits)) all += TextOf(proof);
+  EXPECT_EQ(told, all);
+  return told;
+}
+
 /// One that differs is looked into where it is called, by two of its callers at a time.
 TEST(Jobs, AreShownTheSameStates) {
   prove::Subject subject("modules.plc",
@@ -70,19 +81,26 @@ TEST(Jobs, AreShownTheSameStates) {
   const size_t at = text.find(right);
   ASSERT_NE(at, std::string::npos) << text;
   text.replace(at, right.size(), "m[I20_3] | m[I20_4]");
-  std::vector<std::string> found;
-  for (const uint32_t jobs : {1U, 2U, 3U}) {
-    prove::verify::VerifyLimits limits;
-    limits.jobs = jobs;
-    std::string told, all;
-    limits.is_decided = [&told](const prove::verify::RoutineProof& proof) { told += TextOf(proof); };
-    for (const prove::verify::RoutineProof& proof : subject.Proofs(limits)) all += TextOf(proof);
-    EXPECT_EQ(told, all);
-    found.push_back(all);
+  const std::string found = ProofsOf(subject, 1);
+  EXPECT_THAT(found, HasSubstr("; F.250.3 "));
+  EXPECT_EQ(ProofsOf(subject, 2), found);
+  EXPECT_EQ(ProofsOf(subject, 3), found);
+}
+
+/// They begin with answers of one another.
+TEST(Jobs, ChunksOfALongPart) {
+  std::string program = "U4A0=I0A0\n$\n";
+  for (int i = 0; i < 100; ++i) {
+    const std::string timer = "T" + std::to_string(i + 1), bit = "A" + std::to_string(i % 8);
+    program += timer + "I(" + std::to_string(3 + 7 * i % 150) + ")=I" + std::to_string(i % 8) + bit + "*/I3A0\n";
+    program += "U" + std::to_string(4 + i / 8) + bit + "=" + timer + "U+I2" + bit + "\n";
   }
-  EXPECT_THAT(found[0], HasSubstr("; F.250.3 "));
-  EXPECT_EQ(found[1], found[0]);
-  EXPECT_EQ(found[2], found[0]);
+  prove::Subject subject("turret.plc", program.c_str(), "nc110");
+  const std::string found = ProofsOf(subject, 1);
+  size_t chunks = 0;
+  for (size_t at = found.find("\nslow_"); at != std::string::npos; at = found.find("\nslow_", at + 1)) ++chunks;
+  EXPECT_GT(chunks, 2U) << found;
+  EXPECT_EQ(ProofsOf(subject, 3), found);
 }
 
 }  // namespace

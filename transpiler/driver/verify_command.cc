@@ -221,8 +221,8 @@ bool Verification::Refuse(const std::string& reason) {
   return false;
 }
 
-/// Each has a deep stack, and a solver of its own, in which the process ends where there is no memory: where the address
-/// space is limited, one at a time if nothing else was asked for.
+/// Each has a deep stack, and a solver of its own, in which the process ends where there is no memory: where the
+/// address space is limited, one at a time if nothing else was asked for.
 unsigned JobsWithin(unsigned asked) {
   rlimit space{};
   const bool is_limited = getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;

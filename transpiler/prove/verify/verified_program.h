@@ -62,8 +62,8 @@ struct Workplace {
   /// proved.
   std::vector<const ReplacedCall*> calls;
   solver::Deadline deadline;
-  /// Its own: with what others have found out before, the solver's way, and the values that it shows of a difference,
-  /// would depend on who was first.
+  /// Beginning with those of functions that come before it for sure: with what all others have found out by now, the
+  /// solver's way, and the values that it shows of a difference, would depend on who was first.
   solver::AnsweredForms answered;
 };
 

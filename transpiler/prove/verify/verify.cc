@@ -43,7 +43,10 @@ class Verification {
   Verification(const emit::Emittable& emittable, const CodeShape& shape, const VerifyLimits& limits)
       : program_(emittable, shape, Guarded(limits)),
         pieces_(program_.units.all.size()),
-        for_callers_(program_.units.all.size()) {}
+        chunks_(program_.ir.routines.size()),
+        asked_before_(program_.units.all.size()),
+        for_callers_(program_.units.all.size()),
+        answered_(program_.units.all.size()) {}
 
   void AddRoutine(ir::RoutineId routine) { AddUnit(program_.units.of_routines[routine.index]); }
   /// Of those that were added, callees first.
@@ -90,9 +93,12 @@ class Verification {
   std::mutex telling_;
   VerifiedProgram program_;
   support::WorkInOrder work_;
-  std::vector<UnitId> units_;             // by PieceId
-  std::vector<support::PieceId> pieces_;  // by UnitId; none: it is not asked for
-  std::vector<ForCallers> for_callers_;   // by UnitId
+  std::vector<UnitId> units_;                    // by PieceId
+  std::vector<support::PieceId> pieces_;         // by UnitId; none: it is not asked for
+  std::vector<std::vector<UnitId>> chunks_;      // by RoutineId, those that were added
+  std::vector<UnitId> asked_before_;             // by UnitId: with whose answers it begins; may be none
+  std::vector<ForCallers> for_callers_;          // by UnitId
+  std::vector<solver::AnsweredForms> answered_;  // by UnitId
 };
 
 VerifyLimits Verification::Guarded(VerifyLimits limits) {
@@ -235,6 +241,16 @@ void Verification::AddUnit(UnitId id) {
     AddUnit(callee);
     needs.push_back(pieces_[callee.index]);
   }
+  if (program_.units[id].part.region.valid()) {
+    // Chunks of one routine are much alike. Each begins with the answers of the one at half its number, so that most
+    // is asked by a few, and many are proved side by side.
+    std::vector<UnitId>& chunks = chunks_[program_.units[id].part.routine.index];
+    if (!chunks.empty()) {
+      asked_before_[id.index] = chunks[(chunks.size() - 1) / 2];
+      needs.push_back(pieces_[asked_before_[id.index].index]);
+    }
+    chunks.push_back(id);
+  }
   pieces_[id.index] = work_.Add(std::move(needs));
   units_.push_back(id);
 }
@@ -253,10 +269,11 @@ Workplace Verification::WorkplaceOf(UnitId id, CompiledCode& code) const {
     if (calls[at.index] == nullptr) calls[at.index] = for_callers_[at.index].call.get();
     ways.insert(ways.end(), program_.units[at].callees.begin(), program_.units[at].callees.end());
   }
+  const UnitId before = asked_before_[id.index];
   return {.code = code,
           .calls = std::move(calls),
           .deadline = solver::Deadline(solver::Clock::kProcessor, program_.limits.routine_ms),
-          .answered = {}};
+          .answered = solver::AnsweredForms(before.valid() ? &answered_[before.index] : nullptr)};
 }
 
 std::optional<RoutineProof> Verification::ProveUnit(UnitId id, CompiledCode& code) {
@@ -305,6 +322,7 @@ std::optional<RoutineProof> Verification::ProveUnit(UnitId id, CompiledCode& cod
   if (takes_over && !init && parameters)
     for_callers_[id.index] =
         MakeForCallers(unit, code, *parameters, std::move(granted.open), proved ? tried.greatest_result : std::nullopt);
+  answered_[id.index] = std::move(workplace.answered);
   return std::move(proof);
 }
 

@@ -21,6 +21,26 @@ struct Answered {
   bool Settles(uint32_t time) const { return answer != Answer::kUnknown || time <= milliseconds; }
 };
 
-using AnsweredForms = std::unordered_map<std::string, Answered>;  // looked up only
+class AnsweredForms {
+ public:
+  AnsweredForms() = default;
+  /// Begins with what `before` knows; that outlives this one and is not changed meanwhile.
+  explicit AnsweredForms(const AnsweredForms* before) : before_(before) {}
+
+  Answered& operator[](const std::string& form) {
+    const auto [at, is_new] = own_.try_emplace(form);
+    for (const AnsweredForms* known = before_; is_new && known != nullptr; known = known->before_) {
+      const auto found = known->own_.find(form);
+      if (found == known->own_.end()) continue;
+      at->second = found->second;
+      break;
+    }
+    return at->second;
+  }
+
+ private:
+  std::unordered_map<std::string, Answered> own_;  // looked up only
+  const AnsweredForms* before_ = nullptr;
+};
 
 }  // namespace plcxx::solver
