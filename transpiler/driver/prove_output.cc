@@ -56,6 +56,7 @@ std::vector<std::string> DetailsOf(const ProvedProperty& proved) {
     }
     case PropertyVerdict::kUndecided:
       if (result.run && !proved.scenario.steps.empty()) return {result.reason, "the run: " + proved.scenario.steps};
+      if (result.searched == 0) return {result.reason};
       return {result.reason, "no run of up to " + support::Counted(result.searched, "period") + " violates it"};
   }
   PLCXX_UNREACHABLE();

@@ -129,6 +129,11 @@ PropertyChecker::Reach PropertyChecker::ReachFromAnywhere(StuckSearch& search, P
 PropertyChecker::Reach PropertyChecker::ReachAfter(StuckSearch& search, uint32_t period, PropertyResult& result) {
   if (Extend(*plain_, period, result)) return Reach::kUnknown;
   const machine::Uses uses = machine::UsesOf(version_);
+  const std::vector<execute::CellId>& outputs = search.property.operands.front().cells;
+  // The whole state: what else is read decides, too. The output itself may be read by nobody, and counts.
+  const auto decides = [&](execute::CellId cell) {
+    return !inputs_[cell.index] && (uses.reads[cell.index] || std::ranges::find(outputs, cell) != outputs.end());
+  };
   std::vector<terms::TermId> conditions;
   for (size_t tried = 0;;) {
     for (; tried < search.strategies.size(); ++tried) {
@@ -147,7 +152,7 @@ PropertyChecker::Reach PropertyChecker::ReachAfter(StuckSearch& search, uint32_t
     terms::TermId same = terms_.Bit(true);
     for (uint32_t i = 0; i < version_.cells.count; ++i) {
       const execute::CellId cell(i);
-      if (inputs_[i] || !uses.reads[i]) continue;  // the whole state: what else is read decides, too
+      if (!decides(cell)) continue;
       const terms::TermId value = plain_->Value(cell, period);
       state[cell] = solver_->ValueOf(value);
       same = terms_.And(same, terms_.Eq(value, terms_.Const(state[cell], terms_.Width(value))));
