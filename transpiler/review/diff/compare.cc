@@ -302,7 +302,10 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       }
       turns.Took(way, Clock::now() - turn_begin, runs.difference_of.size() - before);
     };
-    const auto counts_share = [&search] { return search->has_changed_constants() ? kSearchShare : 4 * kSearchShare; };
+    // What a change leads to may show at a limit that was there before.
+    const auto counts_share = [&search, &runs] {
+      return search->has_changed_constants() || !runs.difference_of.empty() ? kSearchShare : 4 * kSearchShare;
+    };
     switch (effort) {
       case Effort::kScenarios:
         if (!std::exchange(scenarios_are_run, true)) search->RunScenarios(part(kScenariosShare), runs);

@@ -76,6 +76,7 @@ class DirectedSearch {
     bool is_asked = false;               // what has to be set there
     bool is_spread = false;              // each input near the change was changed there
     bool is_waited = false;              // and what was begun there was given time
+    bool is_counted = false;             // and numbers were counted on from there
   };
   using Moments = std::vector<std::shared_ptr<Moment>>;
   /// A number that the program writes, where the picture of the old version has it.
@@ -88,6 +89,7 @@ class DirectedSearch {
     bool is_asked = false;                    // what advances it
     uint64_t before = 0, magnitudes = 0;
     size_t pulses = 0;
+    std::set<uint64_t> passed = {};  // constants, of each of which the moment is kept
 
     uint64_t Value(const std::vector<uint8_t>& picture, uint32_t lowest) const;
   };
@@ -105,7 +107,8 @@ class DirectedSearch {
     uint64_t done = 0;
     uint32_t stops = 0;  // in a row
     bool is_over = false;
-    bool differs = false;  // something does where it is
+    bool differs = false;       // something does where it is
+    bool from_differs = false;  // something did where it began
   };
   /// Why a moment is kept.
   enum class Kept : uint8_t { kDiffers, kNew, kOnTheWay, kBetweenSteps };
@@ -168,6 +171,10 @@ class DirectedSearch {
   uint64_t AdvanceBy(const Stimuli& cycle, const Counter& counter, const Moment& begin);
   void FindCounting(const Pulse& pulse);
   void FindCountings(Time end);
+  /// What is known to advance a number is begun where something differs already: a limit shows more of it.
+  void FindCountingsFromDiffering();
+  /// Of the steps to a constant of the programs those that follow may be anything: the moment is kept.
+  void KeepAtConstant(Counter& counter, uint64_t before);
   uint64_t ValueIn(const Counter& counter) const { return counter.Value(old_machine_.picture(), counter.at); }
   bool IsFarFromConstants(uint64_t value, uint64_t advance, uint32_t bytes) const;
   /// Many pulses, and one look; false: the number did not go on as it should, and nothing was done.

@@ -18,6 +18,8 @@ constexpr uint64_t kMostAdvance = 16;          // of a number that is counted, a
 constexpr uint64_t kMostCounted = 100'000;     // no limit of a machine is farther away
 constexpr uint64_t kCountsWithoutLimit = 300;  // where a program names no limit
 constexpr size_t kMostAlone = 8;
+constexpr size_t kMostCountedFrom = 4;                 // moments at which something differs, each time
+constexpr size_t kMostPassed = 12;                     // constants of one number
 constexpr size_t kLongestPulse = 4, kLongestWay = 16;  // steps; to one advance from the one before
 constexpr uint32_t kProofs = 3;                        // that a pulse advances the number each time
 constexpr uint32_t kMostStops = 6;                     // pulses in a row that do not: it has come to its end
@@ -255,6 +257,30 @@ void DirectedSearch::FindCounting(const Pulse& pulse) {
   }
 }
 
+void DirectedSearch::FindCountingsFromDiffering() {
+  // The last ones are the news, and the first one is the plainest.
+  Moments moments;
+  for (auto moment = differing_.rbegin(); moment != differing_.rend() && moments.size() < kMostCountedFrom; ++moment) {
+    if (!(*moment)->is_counted) moments.push_back(*moment);
+  }
+  const size_t known = countings_.size();
+  for (const std::shared_ptr<Moment>& moment : moments) {
+    moment->is_counted = true;
+    for (size_t i = 0; i < known && !Late(); ++i) {
+      const Counting counting = countings_[i];
+      if (counting.from_differs) continue;
+      const uint64_t advance = AdvanceBy(counting.cycle, counters_[counting.counter], *moment);
+      if (advance == 0) continue;
+      countings_.push_back({.counter = counting.counter,
+                            .advance = advance,
+                            .at = moment,
+                            .cycle = counting.cycle,
+                            .differs = true,
+                            .from_differs = true});
+    }
+  }
+}
+
 void DirectedSearch::FindCountings(Time end) {
   EndAt(end);
   while (!Late() && !pulses_.empty()) {
@@ -286,6 +312,14 @@ void DirectedSearch::CompareCounted(Counting& counting, RandomRuns& result) {
   counting.differs = differs_now_;
 }
 
+void DirectedSearch::KeepAtConstant(Counter& counter, uint64_t before) {
+  if (counter.rank > 1 || counter.passed.size() >= kMostPassed) return;
+  const auto [low, high] = std::minmax(before, ValueIn(counter));
+  for (auto at = std::ranges::upper_bound(constants_, low); at != constants_.end() && *at <= high; ++at) {
+    if (*at > 1 && counter.passed.insert(*at).second) Keep(Kept::kNew);
+  }
+}
+
 bool DirectedSearch::CountAtOnce(Counting& counting, RandomRuns& result) {
   const Counter& counter = counters_[counting.counter];
   const uint64_t before = ValueIn(counter);
@@ -315,7 +349,7 @@ bool DirectedSearch::CountAtOnce(Counting& counting, RandomRuns& result) {
 }
 
 void DirectedSearch::CountOn(Counting& counting, RandomRuns& result) {
-  const Counter& counter = counters_[counting.counter];
+  Counter& counter = counters_[counting.counter];
   GoTo(*counting.at);
   if (counting.done == 0) stimuli_.push_back({.inputs = {}, .words = {}, .repeated = counting.cycle});
   const size_t begin = stimuli_.size();
@@ -341,6 +375,7 @@ void DirectedSearch::CountOn(Counting& counting, RandomRuns& result) {
     stimuli_.resize(begin);
     ++stimuli_.back().times;
     ++counting.done;
+    KeepAtConstant(counter, before);
     counting.stops = Advance(before, ValueIn(counter), counter.bytes) == 0 ? counting.stops + 1 : 0;
   }
   counting.is_over = counting.done >= most_counted_ || counting.stops >= kMostStops;
@@ -354,13 +389,14 @@ void DirectedSearch::RunCounts(const std::vector<CellId>& sought, Time end, Rand
   AimAtCounters(result);
   FindCountings(begin + (end - begin) / 3 * 2);
   EndAt(end);
+  FindCountingsFromDiffering();
   while (!Late()) {
     if (std::ranges::all_of(sought, [&](CellId cell) { return result.difference_of.contains(cell); })) return;
     Counting* next = nullptr;
     const auto order = [this](const Counting& counting) {
       // What has nothing to do with the change, as far as can be seen, comes late.
       constexpr std::array<uint64_t, 3> kWeights = {1, 4, 64};
-      const uint32_t rank = counters_[counting.counter].rank;
+      const uint32_t rank = counting.from_differs ? 0 : counters_[counting.counter].rank;
       return std::pair((counting.done + 1) * kWeights[rank], rank);
     };
     for (Counting& counting : countings_) {
