@@ -412,6 +412,9 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
   comparison.round_ms = limits.total_ms / 4;
   const uint32_t undecided = comparison.UndecidedCount();
   MarkDifferent(comparison, Effort::kThorough);
+  // Of a machine at work more can be guessed.
+  for (invariants::InvariantFinder* const finder : {comparison.old_finder.get(), comparison.new_finder.get()})
+    if (finder != nullptr) finder->GuessAgain();
   if (is_tried()) try_relations();
   const auto lacks_invariants = [&] {
     return !comparison.old_finder || !comparison.old_finder->is_done() || !comparison.new_finder->is_done();

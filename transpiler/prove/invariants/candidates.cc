@@ -14,10 +14,12 @@ constexpr uint8_t kAlwaysZero = 1, kAlwaysOne = 8;    // of a bit with itself
 constexpr uint8_t kAlike = 1 | 8, kOpposite = 2 | 4;  // of two bits
 constexpr size_t kMostValues = 12;                    // of a byte or field that is said to take few
 constexpr size_t kMostWhile = 3;                      // of those, while a bit is set or not
-constexpr uint64_t kMostNumbered = 255;  // by which steps and states are counted; a time takes many more values
-constexpr size_t kMostLimits = 6;        // that a number is guessed to stay below
-constexpr size_t kMostLimitsWhile = 16;  // of one number
-constexpr size_t kMostConstants = 100;   // of a program that limits are guessed from
+constexpr uint64_t kMostNumbered = 255;    // by which steps and states are counted; a time takes many more values
+constexpr size_t kMostLimits = 6;          // that a number is guessed to stay below
+constexpr size_t kMostLimitsWhile = 16;    // of one number
+constexpr size_t kMostConstants = 100;     // of a program that limits are guessed from
+constexpr size_t kMostInSteps = 48;        // numbers that may be steps, or are counted in them
+constexpr size_t kMostLimitsInSteps = 24;  // of one number
 
 }  // namespace
 
@@ -85,6 +87,20 @@ void Candidates::AddState(const CellValues& state) {
     }
     seen->ones |= ones;
     seen->zeros |= zeros;
+  }
+  AddSteps(state);
+}
+
+void Candidates::AddSteps(const CellValues& state) {
+  const size_t count = std::min(numbers_.size(), kMostInSteps);
+  std::vector<uint64_t> values;
+  for (size_t i = 0; i < count; ++i) values.push_back(NumberOf(numbers_[i].cells, state));
+  for (size_t i = 0; i < count; ++i) {
+    SeenNumber& step = numbers_[i];
+    if (step.values.size() > kMostValues) continue;
+    const size_t at = std::ranges::find(step.values, values[i], &SeenValue::value) - step.values.begin();
+    step.greatest_of.resize(std::max(step.greatest_of.size(), at + 1), std::vector<uint64_t>(count));
+    for (size_t j = 0; j < count; ++j) step.greatest_of[at][j] = std::max(step.greatest_of[at][j], values[j]);
   }
 }
 
@@ -160,8 +176,39 @@ void Candidates::AddLimitsWhile(const SeenNumber& number, std::vector<Invariant>
       guesses.push_back({.cells = number.cells,
                          .values = {*nearest},
                          .kind = Invariant::Kind::kAtMost,
-                         .while_bit = bits_[bit],
-                         .while_set = is_set});
+                         .while_cells = {bits_[bit]},
+                         .while_value = is_set ? 1U : 0U});
+    }
+  }
+}
+
+void Candidates::AddLimitsInSteps(std::vector<Invariant>& guesses) const {
+  const auto overlap = [](const SeenNumber& a, const SeenNumber& b) {
+    return std::ranges::find_first_of(a.cells, b.cells) != a.cells.end();
+  };
+  for (size_t j = 0; j < std::min(numbers_.size(), kMostInSteps); ++j) {
+    const SeenNumber& number = numbers_[j];
+    size_t count = 0;
+    for (const SeenNumber& step : numbers_) {
+      // Of two values one is a bit's.
+      const bool is_step = step.values.size() > 2 && step.values.size() <= kMostValues && !step.greatest_of.empty();
+      if (!is_step || overlap(step, number)) continue;
+      for (size_t at = 0; at < step.greatest_of.size() && count < kMostLimitsInSteps; ++at) {
+        const uint64_t greatest = step.greatest_of[at][j];
+        if (greatest >= number.greatest) continue;
+        std::optional<uint64_t> nearest;
+        for (const std::set<uint64_t>* const limits : {&limits_, &program_limits_}) {
+          const auto limit = limits->lower_bound(greatest);
+          if (limit != limits->end() && *limit < number.greatest) nearest = std::min(nearest.value_or(*limit), *limit);
+        }
+        if (!nearest) continue;
+        ++count;
+        guesses.push_back({.cells = number.cells,
+                           .values = {*nearest},
+                           .kind = Invariant::Kind::kAtMost,
+                           .while_cells = step.cells,
+                           .while_value = step.values[at].value});
+      }
     }
   }
 }
@@ -177,8 +224,10 @@ void Candidates::AddWhile(const SeenNumber& number, std::vector<Invariant>& gues
       }
       // With none the bit never has that value, with all nothing is said.
       if (values.empty() || values.size() > kMostWhile || values.size() == number.values.size()) continue;
-      guesses.push_back(
-          {.cells = number.cells, .values = std::move(values), .while_bit = bits_[bit], .while_set = is_set});
+      guesses.push_back({.cells = number.cells,
+                         .values = std::move(values),
+                         .while_cells = {bits_[bit]},
+                         .while_value = is_set ? 1U : 0U});
     }
   }
 }
@@ -195,6 +244,7 @@ std::vector<Invariant> Candidates::Make() const {
     for (const SeenValue& seen : number.values) values.insert(seen.value);
     guesses.push_back({.cells = number.cells, .values = {values.begin(), values.end()}});
   }
+  AddLimitsInSteps(guesses);
   return guesses;
 }
 

@@ -43,6 +43,8 @@ class Candidates {
     std::vector<SeenValue> values;  // as they came; more than the most that are said: many
     uint64_t greatest = 0;
     std::vector<uint64_t> greatest_ones, greatest_zeros;  // by bit of interest: while it is 1, and 0
+    /// By number, of the first ones: the greatest value that it had while this one had its values, as they came.
+    std::vector<std::vector<uint64_t>> greatest_of;
   };
 
   static void AddNeighbours(std::set<uint64_t>& limits, uint64_t constant) {
@@ -50,10 +52,14 @@ class Candidates {
   }
   void AddWords(const machine::Version& version, const std::set<execute::CellId>& interesting,
                 const std::function<bool(execute::CellId)>& is_state);
+  void AddSteps(const CellValues& state);
   void AddBits(std::vector<Invariant>& guesses) const;
   void AddLimits(const SeenNumber& number, std::vector<Invariant>& guesses) const;
   /// What a number does not exceed while a bit is set, or is not: a time that ends a step.
   void AddLimitsWhile(const SeenNumber& number, std::vector<Invariant>& guesses) const;
+  /// What a number does not exceed while another one, which takes few values, has one of them: what is counted in a
+  /// step.
+  void AddLimitsInSteps(std::vector<Invariant>& guesses) const;
   /// What a number may be while a bit is set, or is not.
   void AddWhile(const SeenNumber& number, std::vector<Invariant>& guesses) const;
 

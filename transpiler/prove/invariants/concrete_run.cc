@@ -23,6 +23,11 @@ ConcreteRun::Step ConcreteRun::StepOf(std::vector<terms::TermId> next) const {
   return {.next = std::move(next), .cone = std::move(cone)};
 }
 
+bool ConcreteRun::IsMadeUp(terms::TermId id) const {
+  const terms::Term& term = terms_[id];
+  return term.kind == terms::TermKind::kApply && terms_.Info(terms::FunctionId(term.a)).evaluate == nullptr;
+}
+
 void ConcreteRun::Execute(const Step& step) {
   values_.resize(std::max<size_t>(values_.size(), terms_.size()));
   for (const terms::TermId id : step.cone) {
@@ -33,6 +38,7 @@ void ConcreteRun::Execute(const Step& step) {
           const execute::CellId cell = variable < cell_of_.size() ? cell_of_[variable] : execute::CellId();
           return cell.valid() ? cells_[cell.index] : 0;
         });
+    if (answer && IsMadeUp(id)) values_[id.index] = answer(id, values_[id.index]);
   }
   for (size_t i = 0; i < state_.size(); ++i) cells_[state_[i].index] = values_[step.next[i].index];
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -30,8 +31,13 @@ class ConcreteRun {
   void Set(execute::CellId cell, uint64_t value) { cells_[cell.index] = value; }
   uint64_t ValueOf(execute::CellId cell) const { return cells_[cell.index]; }
   uint64_t now_ms = 0;
+  /// What is made up may be something else instead; may be empty.
+  std::function<uint64_t(terms::TermId answer, uint64_t made_up)> answer;
 
  private:
+  /// An answer of the host, or what a loop without a summary gives.
+  bool IsMadeUp(terms::TermId id) const;
+
   const terms::Terms& terms_;
   std::vector<execute::CellId> state_;
   std::vector<execute::CellId> cell_of_;  // by variable

@@ -12,12 +12,16 @@
 #include "transpiler/prove/machine/transition.h"
 #include "transpiler/symbolic/solver/bit_solver.h"
 #include "transpiler/symbolic/solver/deadline.h"
+#include "transpiler/symbolic/terms/evaluate.h"
 #include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::prove::invariants {
 namespace {
 
-constexpr int kRuns = 12, kPeriods = 150;
+constexpr int kRuns = 12, kPeriods = 150, kMostPeriods = 3000;
+constexpr size_t kMostEvaluated = 20'000'000;  // terms, in all runs
+constexpr int kRates = 5, kMoreRates = 9;      // at which inputs change, of short runs and of long ones
+constexpr uint64_t kOneWordIn = 4;             // periods, one word of inputs is what a program compares something with
 constexpr int kPeriodsFromSeen = 12, kPeriodsFromModel = 40;
 constexpr uint32_t kMostFast = 4;  // fast parts in a simulated period
 constexpr int kDisturbedStates = 250;
@@ -31,6 +35,7 @@ class InvariantFinder::Finder {
       : terms_(terms), solver_(solver), search_(std::move(search)), version_(search_.version) {}
 
   void Find(uint64_t milliseconds);
+  void GuessAgain();
   const std::vector<Invariant>& proved() const { return proved_; }
   bool is_done() const { return is_done_; }
 
@@ -51,6 +56,13 @@ class InvariantFinder::Finder {
   void Prepare();
   ConcreteRun::Step StepOf(const machine::Transition& transition);
   void Take(const CellValues& state, uint64_t now_ms);
+  /// The words that inputs make, and with what they may be compared.
+  void FindInputWords();
+  /// A word of inputs gets a value that the program knows: bit by bit nobody hits it.
+  void SetInputWord();
+  /// What the host answers there: the same for a while, then what is made up, or what the program knows.
+  uint64_t AnswerOf(terms::TermId answer, uint64_t made_up);
+  uint64_t AnyConstant() { return constants_[(random_.Next() >> 20) % constants_.size()]; }
   /// Periods with random inputs from the present state of the run on; `after` each part.
   void RunOn(int periods, uint64_t one_in, const std::function<void()>& after);
   bool HoldsAtPowerOn(const Invariant& guess);
@@ -76,12 +88,17 @@ class InvariantFinder::Finder {
   terms::TermId now_;
   std::vector<execute::CellId> state_;   // closed: what the cells of interest depend on in any number of periods
   std::vector<execute::CellId> inputs_;  // that these depend on
+  std::vector<std::vector<execute::CellId>> input_words_;  // from the lowest bit
+  std::vector<uint64_t> constants_;
+  std::map<terms::TermId, uint64_t> answers_;
+  uint64_t one_in_ = 2;  // periods, an answer changes
   std::optional<ConcreteRun> run_;
   std::vector<ConcreteRun::Step> steps_;  // by part
   std::unique_ptr<solver::BitSolver> bits_;
   std::vector<Guess> untried_, guesses_, pairs_;  // not yet tried alone; tried; these come last
   std::vector<Invariant> proved_;
   bool is_prepared_ = false, is_done_ = false;
+  bool guesses_again_ = false;
   terms::Random random_{0x2545F4914F6CDD1D};
   solver::Deadline deadline_{solver::Clock::kWall, 0};  // of Find
 };
@@ -159,16 +176,55 @@ void InvariantFinder::Finder::Take(const CellValues& state, uint64_t now_ms) {
   run_->now_ms = now_ms;
 }
 
+void InvariantFinder::Finder::FindInputWords() {
+  std::set<std::vector<execute::CellId>> words;
+  for (const ir::Place& place : version_.program->places) {
+    const bool is_word = !place.is_field() && !place.indexed && place.type != ir::Type::kBit &&
+                         place.type <= ir::Type::kI64 && execute::IsInside(*version_.program, place);
+    if (!is_word) continue;
+    std::vector<execute::CellId> cells = execute::CellsOf(*version_.program, version_.cells, place);
+    const auto is_input = [this](execute::CellId cell) { return std::ranges::binary_search(inputs_, cell); };
+    if (std::ranges::all_of(cells, is_input)) words.insert(std::move(cells));
+  }
+  input_words_.assign(words.begin(), words.end());
+  // Not those of the terms: a comparison of bits that are known one by one has none.
+  std::set<uint64_t> constants;
+  for (const ir::Region& region : version_.program->regions) {
+    for (const ir::InstId id : region.insts) {
+      const ir::Inst& inst = (*version_.program)[id];
+      if (inst.op == ir::OpKind::kConst && inst.type != ir::Type::kBit) constants.insert(ir::ConstantValue(inst));
+    }
+  }
+  constants_.assign(constants.begin(), constants.end());
+}
+
+void InvariantFinder::Finder::SetInputWord() {
+  const std::vector<execute::CellId>& word = input_words_[(random_.Next() >> 20) % input_words_.size()];
+  const uint64_t value = AnyConstant();
+  for (size_t bit = 0; bit < word.size(); ++bit) run_->Set(word[bit], bit < 64 ? value >> bit & 1 : 0);
+}
+
+uint64_t InvariantFinder::Finder::AnswerOf(terms::TermId answer, uint64_t made_up) {
+  const auto [at, is_new] = answers_.try_emplace(answer, made_up);
+  if (!is_new && random_.OneIn(one_in_)) {
+    const bool is_known = !constants_.empty() && random_.OneIn(2);
+    at->second = terms::Masked(is_known ? AnyConstant() : made_up ^ random_.Next() >> 8, terms_.Width(answer));
+  }
+  return at->second;
+}
+
 void InvariantFinder::Finder::RunOn(int periods, uint64_t one_in, const std::function<void()>& after) {
   const ir::Schedule& schedule = version_.program->schedule;
   // Of the fast parts between two periods a few are enough to guess from.
   const uint32_t fast_parts =
       machine::HasTimedFastPart(version_) ? std::clamp(schedule.period_ms / schedule.fast_ms, 1U, kMostFast) : 0;
+  one_in_ = one_in;
   const bool may_be_alone = steps_.size() > 1 && fast_parts == 0;  // the fast part, in some periods
   for (int period = 0; period < periods && !Late(); ++period) {
     for (const execute::CellId cell : inputs_) {
       if (random_.Next() % one_in == 0) run_->Set(cell, random_.Next() & 1);
     }
+    if (!input_words_.empty() && !constants_.empty() && random_.OneIn(kOneWordIn)) SetInputWord();
     for (uint32_t part = 0; part < fast_parts; ++part) {
       run_->Execute(steps_.front());
       run_->now_ms += schedule.period_ms / fast_parts;
@@ -201,13 +257,17 @@ void InvariantFinder::Finder::MakeGuesses() {
     }
   }
   guesses.AddConstantsOf(*version_.program);
+  FindInputWords();
+  size_t terms = 1;
+  for (const ConcreteRun::Step& step : steps_) terms += step.cone.size();
+  const int periods = static_cast<int>(std::clamp<size_t>(kMostEvaluated / kRuns / terms, kPeriods, kMostPeriods));
   for (int run = 0; run < kRuns && !Late(); ++run) {
     Take([](execute::CellId) { return uint64_t{0}; }, 0);
     for (const execute::CellId cell : inputs_) run_->Set(cell, random_.Next() & 1);
     run_->Execute(init);
     add_state();
     // Inputs change seldom in some runs and often in others, as a machine's do.
-    RunOn(kPeriods, uint64_t{2} << (run % 5), add_state);
+    RunOn(periods, uint64_t{2} << (run % (periods > kPeriods ? kMoreRates : kRates)), add_state);
   }
   if (search_.seen_states) {
     search_.seen_states([&](const CellValues& state, uint64_t now_ms) {
@@ -217,8 +277,9 @@ void InvariantFinder::Finder::MakeGuesses() {
     });
   }
   const auto current = [this](execute::CellId cell) { return Current(cell); };
+  const std::set<Invariant> known(proved_.begin(), proved_.end());
   for (Invariant& guess : guesses.Make()) {
-    if (!HoldsAtPowerOn(guess)) continue;
+    if (known.contains(guess) || !HoldsAtPowerOn(guess)) continue;
     // They have to outlive each part, in whatever order the parts come.
     terms::TermId fails = terms_.Bit(false);
     for (const machine::Transition& part : parts_) {
@@ -236,6 +297,7 @@ void InvariantFinder::Finder::Prepare() {
   CloseOver();
   for (const execute::CellId cell : state_) Current(cell);
   run_.emplace(terms_, version_, state_, current_, now_);
+  run_->answer = [this](terms::TermId answer, uint64_t made_up) { return AnswerOf(answer, made_up); };
   for (const machine::Transition& part : parts_) steps_.push_back(StepOf(part));
   MakeGuesses();
   SetAsideByDisturbedStates();
@@ -329,8 +391,12 @@ void InvariantFinder::Finder::Find(uint64_t milliseconds) {
   const bool goes_on = is_prepared_;
   if (!is_prepared_) Prepare();
   if (!is_prepared_ || is_done_) return;
-  // More has been seen since.
-  if (goes_on && search_.seen_states) {
+  if (std::exchange(guesses_again_, false)) {
+    for (std::vector<Guess>* const guesses : {&untried_, &guesses_, &pairs_}) guesses->clear();
+    MakeGuesses();
+    SetAsideByDisturbedStates();
+  } else if (goes_on && search_.seen_states) {
+    // More has been seen since.
     search_.seen_states([this](const CellValues& state, uint64_t) {
       for (std::vector<Guess>* const guesses : {&untried_, &guesses_, &pairs_}) DropWrongIn(state, *guesses);
     });
@@ -343,6 +409,12 @@ void InvariantFinder::Finder::Find(uint64_t milliseconds) {
   }
 }
 
+void InvariantFinder::Finder::GuessAgain() {
+  if (!is_prepared_ || bits_ == nullptr || !search_.seen_states) return;
+  guesses_again_ = true;
+  is_done_ = false;
+}
+
 uint64_t NumberOf(std::span<const execute::CellId> cells, const CellValues& state) {
   if (cells.size() == 1) return state(cells.front());
   uint64_t number = 0;
@@ -352,26 +424,31 @@ uint64_t NumberOf(std::span<const execute::CellId> cells, const CellValues& stat
 
 terms::TermId ConditionOf(terms::Terms& terms, const Invariant& invariant,
                           const std::function<terms::TermId(execute::CellId)>& value) {
-  terms::TermId number;
-  for (const execute::CellId cell : invariant.cells) {
-    const terms::TermId part = value(cell);
-    number = number.valid() ? terms.Concat(number, part) : part;
-  }
+  const auto number_of = [&](std::span<const execute::CellId> cells) {
+    terms::TermId number;
+    for (const execute::CellId cell : cells) {
+      const terms::TermId part = value(cell);
+      number = number.valid() ? terms.Concat(number, part) : part;
+    }
+    return number;
+  };
+  const auto is = [&](terms::TermId number, uint64_t one) {
+    return terms.Eq(number, terms.Const(one, terms.Width(number)));
+  };
+  const terms::TermId number = number_of(invariant.cells);
   terms::TermId holds = terms.Bit(false);
   if (invariant.kind == Invariant::Kind::kAtMost) {
     holds = terms.Ule(number, terms.Const(invariant.values.front(), terms.Width(number)));
   } else {
-    for (const uint64_t one : invariant.values)
-      holds = terms.Or(holds, terms.Eq(number, terms.Const(one, terms.Width(number))));
+    for (const uint64_t one : invariant.values) holds = terms.Or(holds, is(number, one));
     if (invariant.kind == Invariant::Kind::kNoneOf) holds = terms.Not(holds);
   }
-  if (!invariant.while_bit.valid()) return holds;
-  const terms::TermId bit = value(invariant.while_bit);
-  return terms.Or(invariant.while_set ? terms.Not(bit) : bit, holds);
+  if (invariant.while_cells.empty()) return holds;
+  return terms.Or(terms.Not(is(number_of(invariant.while_cells), invariant.while_value)), holds);
 }
 
 bool HoldsIn(const Invariant& invariant, const CellValues& state) {
-  if (invariant.while_bit.valid() && (state(invariant.while_bit) != 0) != invariant.while_set) return true;
+  if (!invariant.while_cells.empty() && NumberOf(invariant.while_cells, state) != invariant.while_value) return true;
   const uint64_t number = NumberOf(invariant.cells, state);
   const bool is_among = std::ranges::find(invariant.values, number) != invariant.values.end();
   switch (invariant.kind) {
@@ -392,6 +469,7 @@ InvariantFinder::~InvariantFinder() = default;
 void InvariantFinder::Find(uint64_t milliseconds) {
   if (!is_done()) finder_->Find(milliseconds);
 }
+void InvariantFinder::GuessAgain() { finder_->GuessAgain(); }
 const std::vector<Invariant>& InvariantFinder::invariants() const { return finder_->proved(); }
 bool InvariantFinder::is_done() const { return finder_->is_done(); }
 

@@ -4,9 +4,9 @@
 // In: a version and the cells of interest. Out: clauses over its cells, each proved for every run from power-on, with
 // any inputs and answers of the host; the host writes inputs only. Candidates: a bit that never changes, two bits that
 // never have certain values together, a byte or field that takes few values, or fewer while a bit is set or not (the
-// output of a step, and the step counter), or none above a constant of the program. What one candidate needs another
-// one may give: they are proved together, and what fails is dropped until nothing does. Pairs of bits are many, and
-// come last.
+// output of a step, and the step counter), or none above a constant of the program, while a step lasts, too (what is
+// counted in it). What one candidate needs another one may give: they are proved together, and what fails is dropped
+// until nothing does. Pairs of bits are many, and come last.
 //
 //   STEP goes 0, 1, 2, 0 on inputs; STAR = STEP == 1; DELTA = STEP == 2
 //   seen in random runs   STEP 0 1 2; STAR and DELTA never both; DELTA 0, for its input is rare
@@ -15,6 +15,7 @@
 //                         !DELTA fails (STEP = 1 goes to 2) and is dropped; the other two are proved without it
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -32,9 +33,11 @@ struct Invariant {
   std::vector<execute::CellId> cells;  // from the most significant down; together one number
   std::vector<uint64_t> values;        // of kAtMost one
   Kind kind = Kind::kOneOf;
-  /// Not none: it is said of those states only in which this bit has that value.
-  execute::CellId while_bit;
-  bool while_set = false;
+  /// Not none: it is said of those states only in which these, together, have that value.
+  std::vector<execute::CellId> while_cells = {};
+  uint64_t while_value = 0;
+
+  auto operator<=>(const Invariant&) const = default;
 };
 
 /// The value of a cell in some state.
@@ -68,6 +71,8 @@ class InvariantFinder {
 
   /// In about so much time; it goes on from there when it is called again.
   void Find(uint64_t milliseconds);
+  /// Others have seen more states since the first time: what they are like is guessed from, too, by the next Find.
+  void GuessAgain();
   /// What is proved so far.
   const std::vector<Invariant>& invariants() const;
   /// Nothing more will be found.
