@@ -84,6 +84,24 @@ TEST(Prove, AnOutputThatNobodyResetsIsStuck) {
   EXPECT_EQ(machine.work.Run("test --engine sim found/property-1.yaml").code, 0);
 }
 
+// The program writes the output under a condition and never reads it: its own value is no part of what decides.
+TEST(Prove, AnOutputThatIsSetInABlockAndNowhereReadIsStuck) {
+  const Machine machine("$\nDOF: I0A5\nU4A0=1\nENDF\n");
+  const Ran ran = machine.Prove("U4A0 is never stuck within 3 slow\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("from there no inputs make it 0 within 3 periods"));
+  EXPECT_EQ(machine.work.Run("test --engine sim found/property-1.yaml").code, 0);
+}
+
+// Inputs at random hold what a count needs for a few pulses only; the run is told by what comes again.
+TEST(Prove, ACountOfCountsIsFoundByPulsesThatComeAgain) {
+  const Machine machine(
+      "$\nP1=I0A3\nC1Z=I0A4\nC1I(10)=P1*I0A1*/I0A2\nDOF: C1R\nW30K0=[W30K0+1]\nENDF\nU4A0=[W30K0>2]\n");
+  machine.ExpectShown("never U4A0");
+  const Ran ran = machine.Prove("never U4A0\n");
+  EXPECT_THAT(ran.out, HasSubstr(" times ("));
+}
+
 TEST(Prove, WhatHoldsInReachableStatesOnlyNeedsInvariants) {
   // A ring of three steps that I0A0 moves on: from a state with two of them, any two may meet.
   const Machine machine(

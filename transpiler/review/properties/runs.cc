@@ -1,11 +1,14 @@
 #include "transpiler/review/properties/runs.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "transpiler/prove/machine/answers.h"
 #include "transpiler/prove/machine/requests.h"
+#include "transpiler/review/properties/rhythm.h"
 #include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/property_monitor.h"
@@ -21,6 +24,9 @@ using terms::Random;
 
 constexpr uint32_t kRunPeriods = 20'000;  // of one run
 constexpr uint32_t kRandomPeriods = 200;
+/// Of runs at a steady pace, shorter ones first; no more periods than this.
+constexpr uint64_t kRhythmPasses[] = {100, 400, 100, 1600};
+constexpr uint32_t kRhythmPeriods = 60'000;
 constexpr int kShortHoldRuns = 96, kLongHoldRuns = 24, kRandomRuns = 24, kDisturbedPeriods = 6;
 /// Waiting after all has been set: a run looks at every period, so that the shortest wait is found.
 constexpr uint32_t kShortHoldPeriods = 300, kHoldMs = 30'000;
@@ -31,6 +37,17 @@ constexpr uint32_t kSlicedPasses = 2;
 /// The answer is there; a short one is read more easily.
 constexpr std::chrono::seconds kShorteningTime{2};
 constexpr uint32_t kMostTriedCuts = 40;
+
+std::vector<uint64_t> ConstantsOf(const ir::Program& program) {
+  std::set<uint64_t> constants;
+  for (const ir::Region& region : program.regions) {
+    for (const ir::InstId id : region.insts) {
+      const ir::Inst& inst = program[id];
+      if (inst.op == ir::OpKind::kConst && inst.type != ir::Type::kBit) constants.insert(ir::ConstantValue(inst));
+    }
+  }
+  return {constants.begin(), constants.end()};
+}
 
 uint32_t PeriodsOfMs(const scenarios::ProveMachine& machine, uint64_t ms) {
   const uint32_t period_ms = std::max(1U, machine.timing.period_ms);
@@ -252,7 +269,28 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::properties
     add_done_requests(random, run, plan);
     if (violates(plan)) return plan;
   }
+  RhythmInputs rhythm{.words = {}, .constants = {}, .pass_periods = std::max(1U, machine_.timing.slow_periods)};
+  for (const CellId cell : inputs) {
+    const auto is_known = [cell](const std::vector<CellId>& word) {
+      return std::ranges::find(word, cell) != word.end();
+    };
+    if (std::ranges::any_of(rhythm.words, is_known)) continue;
+    std::vector<CellId> word = scenarios::WordsOf(machine_, {cell}).front().cells;
+    const auto is_settable = [this](CellId bit) { return bool{can_be_set_[bit.index]}; };
+    if (!std::ranges::all_of(word, is_settable)) word = {cell};
+    rhythm.words.push_back(std::move(word));
+  }
+  rhythm.constants = ConstantsOf(machine_.compilation.program);
   for (int run = 0; (run < kRandomRuns || search.thorough) && !Late(); ++run) {
+    if (run % 3 == 2) {
+      const uint64_t passes = std::min<uint64_t>(kRhythmPasses[static_cast<size_t>(run / 3) % std::size(kRhythmPasses)],
+                                                 kRhythmPeriods / rhythm.pass_periods);
+      RhythmPlan steady = MakeRhythm(rhythm, passes, random);
+      Plan plan{.events = std::move(steady.events), .periods = steady.periods};
+      add_done_requests(random, run / 3, plan);
+      if (violates(plan)) return plan;
+      continue;
+    }
     // Inputs change seldom in some runs and often in others.
     const uint64_t one_in = uint64_t{2} << (run % 6), density = 1 + static_cast<uint64_t>(run) % 3;
     Plan plan{.events = {}, .periods = kRandomPeriods};

@@ -29,6 +29,31 @@ std::string Heading(const scenarios::ProveMachine& machine, const compilation::C
          scenarios::PlantHeading(plant, directory) + "properties:\n- " + Scalar(property.text) + "\n";
 }
 
+/// Steps in one line: what comes again and again is said once.
+std::string Line(const std::vector<std::string>& steps) {
+  constexpr size_t kLongestCycle = 12, kLeastTimes = 3;
+  std::string line;
+  const auto add = [&line](const std::string& text) { line += (line.empty() ? "" : ", ") + text; };
+  const auto joined = [&steps](size_t begin, size_t count) {
+    std::string text;
+    for (size_t i = begin; i < begin + count; ++i) text += (i == begin ? "" : ", ") + steps[i];
+    return text;
+  };
+  for (size_t at = 0; at < steps.size();) {
+    size_t length = 1, times = 1;
+    for (size_t cycle = 1; cycle <= kLongestCycle && at + 2 * cycle <= steps.size(); ++cycle) {
+      size_t same = cycle;
+      while (at + same < steps.size() && steps[at + same] == steps[at + same - cycle]) ++same;
+      if (same / cycle < kLeastTimes || same / cycle * cycle <= length * times) continue;
+      length = cycle;
+      times = same / cycle;
+    }
+    add(times == 1 ? steps[at] : std::to_string(times) + " times (" + joined(at, length) + ")");
+    at += length * times;
+  }
+  return line;
+}
+
 /// The steps of the run; false: an input has no name.
 bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties::PropertyRun& run,
                 PropertyScenario& scenario) {
@@ -59,7 +84,8 @@ bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties:
   }
   uint32_t runs = 0;  // parts without a change in between
   std::string steps;
-  const auto add_line = [&](const std::string& part) { scenario.steps += (scenario.steps.empty() ? "" : ", ") + part; };
+  std::vector<std::string> lines;
+  const auto add_line = [&lines](const std::string& part) { lines.push_back(part); };
   const auto flush = [&] {
     if (runs == 0) return;
     const std::string count = by_slow ? std::to_string(runs) : std::to_string(uint64_t{runs} * std::stoul(time));
@@ -105,6 +131,7 @@ bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties:
     }
   }
   flush();
+  scenario.steps = Line(lines);
   scenario.yaml += "steps:\n" + steps;
   return true;
 }
