@@ -68,7 +68,8 @@ class LocalSweep {
   void SweepTerm(terms::TermId id);
   /// A choice in a choice that is the same without the outer one, whose condition follows from the inner one's.
   terms::TermId WithoutImplied(terms::TermId id);
-  bool AreEqual(terms::TermId a, terms::TermId b, std::span<const Cut> cuts, uint32_t milliseconds);
+  /// By one of the cuts, of which that at `likely` is tried first; it becomes the one by which they are.
+  bool AreEqual(terms::TermId a, terms::TermId b, std::span<const Cut> cuts, size_t& likely, uint32_t milliseconds);
   /// None: it is too large.
   std::optional<solver::TermPair> Copy(const solver::TermPair& pair, const Cut& cut);
   terms::TermId CutOf(terms::TermId id);
@@ -264,19 +265,26 @@ solver::Answer LocalSweep::Ask(terms::TermId condition, uint32_t milliseconds) {
   return known.answer;
 }
 
-bool LocalSweep::AreEqual(terms::TermId a, terms::TermId b, std::span<const Cut> cuts, uint32_t milliseconds) {
+bool LocalSweep::AreEqual(terms::TermId a, terms::TermId b, std::span<const Cut> cuts, size_t& likely,
+                          uint32_t milliseconds) {
   if (a == b) return true;
-  for (const Cut& cut : cuts) {
+  const size_t first = likely;
+  for (size_t n = 0; n < cuts.size(); ++n) {
+    const size_t i = n == 0 ? first : n <= first ? n - 1 : n;
+    const bool is_ahead = i > n;  // what is smaller has not been asked yet
     cut_ = false;
-    const std::optional<solver::TermPair> copy = Copy({a, b}, cut);
+    const std::optional<solver::TermPair> copy = Copy({a, b}, cuts[i]);
+    if (!copy && is_ahead) continue;
     if (!copy) return false;
     const terms::TermId differ = terms_.Ne(copy->a, copy->b);
-    if (terms_.IsFalse(differ)) return true;
-    const solver::Answer answer = Ask(differ, milliseconds);
-    if (answer == solver::Answer::kNever) return true;
+    const solver::Answer answer = terms_.IsFalse(differ) ? solver::Answer::kNever : Ask(differ, milliseconds);
+    if (answer == solver::Answer::kNever) {
+      likely = i;
+      return true;
+    }
     has_unknown_ = has_unknown_ || answer == solver::Answer::kUnknown;
     // Where nothing was cut, they do differ.
-    if (!cut_ || Late()) return false;
+    if (Late() || (!cut_ && !(is_ahead && answer == solver::Answer::kUnknown))) return false;
   }
   return false;
 }
@@ -311,7 +319,8 @@ void LocalSweep::SweepTerm(terms::TermId id) {
       const terms::TermId other = Representative(*member);
       if (sides_[member->index] == kSideB || terms_.Width(other) != term.width) continue;
       ++tried;
-      if (!AreEqual(now, other, kCuts, kQuestionMs)) continue;
+      size_t smallest = 0;
+      if (!AreEqual(now, other, kCuts, smallest, kQuestionMs)) continue;
       now = other;
       break;
     }
@@ -330,13 +339,15 @@ std::vector<solver::TermPair> LocalSweep::Run() {
   Simulate();
   representative_.assign(terms_.size(), terms::TermId());
   for (const terms::TermId id : cone_) SweepTerm(id);
+  // The elements of an array follow each other, and are decided alike.
+  size_t likely = 0;
   for (solver::TermPair& pair : alike) {
     if (pair.a == pair.b) continue;
     pair = {Representative(pair.a), Representative(pair.b)};
     // What takes long at one depth is often answered at once at the next one, which knows more.
     has_unknown_ = false;
-    bool are_equal = AreEqual(pair.a, pair.b, kCuts, kFirstMs);
-    if (!are_equal && has_unknown_) are_equal = AreEqual(pair.a, pair.b, kCuts, kLastMs);
+    bool are_equal = AreEqual(pair.a, pair.b, kCuts, likely, kFirstMs);
+    if (!are_equal && has_unknown_) are_equal = AreEqual(pair.a, pair.b, kCuts, likely, kLastMs);
     if (are_equal) pair.b = pair.a;
   }
   return alike;
