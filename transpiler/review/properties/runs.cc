@@ -27,6 +27,7 @@ constexpr uint32_t kRandomPeriods = 200;
 /// Of runs at a steady pace, shorter ones first; no more periods than this.
 constexpr uint64_t kRhythmPasses[] = {100, 400, 100, 1600};
 constexpr uint32_t kRhythmPeriods = 60'000;
+constexpr int kFirstRhythms = 160;
 constexpr int kShortHoldRuns = 96, kLongHoldRuns = 24, kRandomRuns = 24, kDisturbedPeriods = 6;
 /// Waiting after all has been set: a run looks at every period, so that the shortest wait is found.
 constexpr uint32_t kShortHoldPeriods = 300, kHoldMs = 30'000;
@@ -255,20 +256,8 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::properties
     }
     std::ranges::stable_sort(plan.events, {}, &RunEvent::period);
   };
-  Random random(0x9E3779B97F4A7C15);
-  const uint32_t hold = std::min(kRunPeriods, PeriodsOfMs(machine_, kHoldMs));
-  for (int run = 0; run < kShortHoldRuns + kLongHoldRuns && !Late(); ++run) {
-    const bool is_short = run < kShortHoldRuns;
-    Plan plan{.events = {}, .periods = is_short ? std::min(hold, kShortHoldPeriods) : hold};
-    // Settings that the host might change say little about most machines.
-    for (const CellId cell : is_short ? of_machine : inputs) {
-      // First all at once.
-      const bool value = run == 0 || run == kShortHoldRuns || (random.Next() >> 7 & 1) != 0;
-      if (value) plan.events.push_back({1, cell, true});
-    }
-    add_done_requests(random, run, plan);
-    if (violates(plan)) return plan;
-  }
+  // Not the same runs each time.
+  Random random(0x9E3779B97F4A7C15 + searches_);
   RhythmInputs rhythm{.words = {}, .constants = {}, .pass_periods = std::max(1U, machine_.timing.slow_periods)};
   for (const CellId cell : inputs) {
     const auto is_known = [cell](const std::vector<CellId>& word) {
@@ -281,13 +270,35 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::properties
     rhythm.words.push_back(std::move(word));
   }
   rhythm.constants = ConstantsOf(machine_.compilation.program);
+  const auto steady_plan = [&](int run) {
+    const uint64_t passes = std::min<uint64_t>(kRhythmPasses[static_cast<size_t>(run) % std::size(kRhythmPasses)],
+                                               kRhythmPeriods / rhythm.pass_periods);
+    RhythmPlan steady = MakeRhythm(rhythm, passes, random);
+    Plan plan{.events = std::move(steady.events), .periods = steady.periods};
+    add_done_requests(random, run, plan);
+    return plan;
+  };
+  const uint32_t hold = std::min(kRunPeriods, PeriodsOfMs(machine_, kHoldMs));
+  for (int run = 0; run < kShortHoldRuns + kLongHoldRuns && !Late(); ++run) {
+    const bool is_short = run < kShortHoldRuns;
+    // Long waits take longer than all of these.
+    for (int steady = 0; run == kShortHoldRuns && steady < kFirstRhythms && !Late(); ++steady) {
+      Plan plan = steady_plan(steady);
+      if (violates(plan)) return plan;
+    }
+    Plan plan{.events = {}, .periods = is_short ? std::min(hold, kShortHoldPeriods) : hold};
+    // Settings that the host might change say little about most machines.
+    for (const CellId cell : is_short ? of_machine : inputs) {
+      // First all at once.
+      const bool value = run == 0 || run == kShortHoldRuns || (random.Next() >> 7 & 1) != 0;
+      if (value) plan.events.push_back({1, cell, true});
+    }
+    add_done_requests(random, run, plan);
+    if (violates(plan)) return plan;
+  }
   for (int run = 0; (run < kRandomRuns || search.thorough) && !Late(); ++run) {
-    if (run % 3 == 2) {
-      const uint64_t passes = std::min<uint64_t>(kRhythmPasses[static_cast<size_t>(run / 3) % std::size(kRhythmPasses)],
-                                                 kRhythmPeriods / rhythm.pass_periods);
-      RhythmPlan steady = MakeRhythm(rhythm, passes, random);
-      Plan plan{.events = std::move(steady.events), .periods = steady.periods};
-      add_done_requests(random, run / 3, plan);
+    if (run % 3 != 0) {
+      Plan plan = steady_plan(run / 3 * 2 + run % 3);
       if (violates(plan)) return plan;
       continue;
     }
@@ -388,6 +399,7 @@ void PropertyRuns::ShortenWaits(const prove::properties::Property& property, Pla
 }
 
 std::optional<prove::properties::PropertyRun> PropertyRuns::Find(const prove::properties::RunSearch& search) {
+  ++searches_;
   deadline_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(search.milliseconds);
   std::optional<Plan> plan = FindPlan(search);
   if (!plan) return std::nullopt;

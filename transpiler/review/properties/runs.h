@@ -66,6 +66,7 @@ class PropertyRuns {
   std::vector<bool> inputs_;      // by cell
   std::vector<bool> can_be_set_;  // by cell: it is an input or a request, and has a name in scenarios
   std::chrono::steady_clock::time_point deadline_;
+  uint64_t searches_ = 0;
 };
 
 /// Where the plant reads and drives: cells of memory, each once. Ports of the control have none.
