@@ -40,7 +40,8 @@ std::optional<ir::Place> FromSymbols(const ir::Program& program, const Cell& cel
 std::optional<ir::Place> FromDialect(const ir::NameIndex& index, const dialects::Dialect& dialect, const Cell& cell) {
   const std::string& space = index.program().spaces[cell.space].name;
   // An element may have one, two or four bytes.
-  std::vector<std::string> names{space + "+" + std::to_string(cell.offset) + ":8"};
+  const std::string offset = std::to_string(cell.offset);
+  std::vector<std::string> names{space + "+" + offset + ":8", space + "B " + offset};
   for (const uint32_t bytes : {4U, 2U, 1U}) {
     names.insert(names.begin(), space + "[" + std::to_string(cell.offset / bytes) + "]");
   }

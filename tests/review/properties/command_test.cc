@@ -93,6 +93,16 @@ TEST(Prove, AnOutputThatIsSetInABlockAndNowhereReadIsStuck) {
   EXPECT_EQ(machine.work.Run("test --engine sim found/property-1.yaml").code, 0);
 }
 
+// prostep reads the table by an index alone; the host may set it, and a scenario says `DB10`.
+TEST(Prove, AByteThatOnlyAnIndexReachesHasAName) {
+  Machine machine;
+  machine.work.Write("m.plc",
+                     "DDB 10 3\nDDB 11 7\n:MOD PM 0\n:A I 20.1\n:S F 251.0\n:END PM 0\n:MOD PM 9\n:L\n: K 0\n:L IB 2\n"
+                     ":JU FM 8\n: K 1\n:JU FM 15\n: DB 10\n: K 0\n:T DB 31\n:END PM 9\n");
+  machine.ExpectShown("DB31 in 0..20");
+  EXPECT_THAT(machine.work.Read("found/property-1.yaml"), HasSubstr("- set: {DB10: "));
+}
+
 // Inputs at random hold what a count needs for a few pulses only; the run is told by what comes again.
 TEST(Prove, ACountOfCountsIsFoundByPulsesThatComeAgain) {
   const Machine machine(
