@@ -91,8 +91,8 @@ void WideSearch::AddInputs(const RunSearch& search, const std::vector<execute::C
       inputs.push_back({.cell = cell, .is_machines = machine::DirectionOf(version, cell) == ir::Direction::kInput});
       continue;
     }
-    for (uint8_t bit = 0; bit < width && near_.size() < kMostNearBits; ++bit)
-      near_.push_back({.cell = cell, .number = bit});
+    for (size_t bit = 0; bit < width && near_.size() < kMostNearBits; ++bit)
+      near_.push_back({.cell = cell, .number = static_cast<uint8_t>(bit)});
   }
   inputs_.emplace(terms_, std::move(inputs), std::span(&reader, 1));
   std::ranges::copy_if(search.requests, std::back_inserter(requests_),
@@ -104,7 +104,7 @@ void WideSearch::AddNumbers(const std::vector<std::vector<execute::CellId>>& num
     Number number;
     for (const execute::CellId cell : cells) {
       const size_t width = machine_->Has(cell) ? machine_->Planes(cell).size() : 0;
-      for (uint8_t bit = 0; bit < width; ++bit) number.bits.emplace_back(cell, bit);
+      for (size_t bit = 0; bit < width; ++bit) number.bits.emplace_back(cell, static_cast<uint8_t>(bit));
     }
     if (number.bits.size() > 1 && numbers_.size() < kMostNumbers) numbers_.push_back(std::move(number));
   }
