@@ -1,8 +1,10 @@
 #include "tests/policy/namespaces.h"
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace plcxx::policy {
@@ -85,7 +87,8 @@ struct Definition {
 
 struct FileNames {
   std::vector<Definition> types;
-  std::set<std::string> namespaces;  // those with a name that hold anything
+  std::vector<Definition> local_functions;  // of namespaces without a name, as if that one had none
+  std::set<std::string> namespaces;         // those with a name that hold anything
 };
 
 /// Follows the braces of one file.
@@ -108,6 +111,7 @@ class NameReader {
         ++at_;
       } else {
         NoteUse();
+        if (word == "(") NoteLocalFunction();
         ++at_;
       }
     }
@@ -180,6 +184,31 @@ class NameReader {
     Open(Scope::kOther, {});
   }
 
+  const std::string& TextAt(size_t at) const {
+    static const std::string kNothing;
+    return at < tokens_.size() ? tokens_[at].text : kNothing;
+  }
+
+  /// `Type Name(...) ... {` in a namespace without a name. A member that is defined outside its class is none.
+  void NoteLocalFunction() {
+    const auto is_namespace = [](const Level& level) { return level.scope != Scope::kOther; };
+    if (scopes_.empty() || scopes_.back().scope != Scope::kNameless || !std::ranges::all_of(scopes_, is_namespace))
+      return;
+    if (at_ < 2 || !IsWord(TextAt(at_ - 1).front())) return;
+    const std::string& before = TextAt(at_ - 2);
+    if (!IsWord(before.front()) && before != ">" && before != "*" && before != "&") return;
+    size_t end = at_, depth = 0;
+    do {
+      depth += TextAt(end) == "(" ? 1 : 0;
+      depth -= TextAt(end) == ")" ? 1 : 0;
+      ++end;
+    } while (end < tokens_.size() && depth != 0);
+    while (end < tokens_.size() && TextAt(end) != "{" && TextAt(end) != ";" && TextAt(end) != "=" && TextAt(end) != ",")
+      ++end;
+    if (TextAt(end) != "{") return;
+    found_.local_functions.push_back({Qualified() + "::" + TextAt(at_ - 1), Place(file_, tokens_[at_].line)});
+  }
+
   const std::string& file_;
   std::vector<Token> tokens_;
   size_t at_ = 0;
@@ -205,6 +234,33 @@ Findings CheckDefinedOnce(const std::string& root) {
     }
   }
   if (places.empty()) findings.emplace_back("no type is defined anywhere: the rule looks at nothing");
+  return findings;
+}
+
+Findings CheckLocalFunctions(const std::string& root) {
+  std::set<std::string> alone;
+  for (const std::string& file : FilesBelow(root, "transpiler", {"CMakeLists.txt"})) {
+    for (const std::string& line : Lines(ReadFile(root + "/" + file))) {
+      constexpr std::string_view kAlone = "plcxx_alone(";
+      if (!line.starts_with(kAlone)) continue;
+      for (const std::string& one : Words(line.substr(kAlone.size(), line.find(')') - kAlone.size())))
+        alone.insert(FolderOf(file) + "/" + one);
+    }
+  }
+  std::map<std::string, std::string> places;
+  std::map<std::string, std::string> file_of;
+  Findings findings;
+  for (const std::string& file : FilesBelow(root, "transpiler", {".cc"})) {
+    if (alone.contains(file)) continue;
+    for (const Definition& function : NamesOf(root, file).local_functions) {
+      const auto [first, is_new] = places.emplace(function.name, function.place);
+      if (is_new) file_of.emplace(function.name, file);
+      if (file_of.at(function.name) == file) continue;
+      findings.push_back(function.place + function.name + " may be compiled together with " + first->second +
+                         "the same name");
+    }
+  }
+  if (places.empty()) findings.emplace_back("no local function is defined anywhere: the rule looks at nothing");
   return findings;
 }
 

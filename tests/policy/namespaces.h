@@ -15,6 +15,11 @@ namespace plcxx::policy {
 /// of namespaces without a name. A pattern that finds no definition at all is a finding, too.
 Findings CheckDefinedOnce(const std::string& root);
 
+/// Functions of namespaces without a name that two files of one namespace have under one name, whatever their
+/// parameters: files are compiled together, and a call may mean the other file's. Files that stand alone
+/// (plcxx_alone in a CMakeLists.txt) may.
+Findings CheckLocalFunctions(const std::string& root);
+
 /// Files that open another namespace than namespaces.txt gives their folder (or the next one above it), folders
 /// without, rows without files, and namespaces that two rows share.
 Findings CheckFolderNamespaces(const std::string& root);

@@ -22,6 +22,16 @@ TEST(Namespaces, ARuleWithoutSourcesFails) {
   EXPECT_THAT(CheckDefinedOnce(Fixture("tour")), ElementsAre("no type is defined anywhere: the rule looks at nothing"));
 }
 
+TEST(Namespaces, ALocalFunctionHasANameOfItsOwn) { EXPECT_THAT(CheckLocalFunctions(Root()), IsEmpty()); }
+
+TEST(Namespaces, FixtureHasALocalFunctionTwice) {
+  EXPECT_THAT(CheckLocalFunctions(Fixture("namespaces")),
+              ElementsAre("transpiler/walls/paint.cc:8: plcxx::walls::Thickness may be compiled together with "
+                          "transpiler/walls/brick.cc:4: the same name"));
+  EXPECT_THAT(CheckLocalFunctions(Fixture("tour")),
+              ElementsAre("no local function is defined anywhere: the rule looks at nothing"));
+}
+
 TEST(Namespaces, AFolderHasOne) { EXPECT_THAT(CheckFolderNamespaces(Root()), IsEmpty()); }
 
 TEST(Namespaces, FixtureMixesThem) {

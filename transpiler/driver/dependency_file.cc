@@ -3,7 +3,7 @@
 namespace plcxx::driver {
 namespace {
 
-std::string Escaped(const std::string& path) {
+std::string EscapedForMake(const std::string& path) {
   std::string escaped;
   for (size_t i = 0; i < path.size(); ++i) {
     switch (path[i]) {
@@ -31,9 +31,9 @@ std::string Escaped(const std::string& path) {
 
 std::string DependencyRule(const std::vector<std::string>& targets, const std::vector<std::string>& dependencies) {
   std::string rule;
-  for (const std::string& target : targets) rule += (rule.empty() ? "" : " ") + Escaped(target);
+  for (const std::string& target : targets) rule += (rule.empty() ? "" : " ") + EscapedForMake(target);
   rule += ":";
-  for (const std::string& dependency : dependencies) rule += " \\\n  " + Escaped(dependency);
+  for (const std::string& dependency : dependencies) rule += " \\\n  " + EscapedForMake(dependency);
   return rule + "\n";
 }
 

@@ -96,7 +96,7 @@ int WriteScenarios(const review::diff::Diff& diff, const std::string& directory)
   return CannotWrite(*failure);
 }
 
-std::string Rendered(const review::diff::Diff& diff, const DiffNames& names, const std::string& format) {
+std::string RenderedDiff(const review::diff::Diff& diff, const DiffNames& names, const std::string& format) {
   if (format == "markdown") return DiffMarkdown(diff, names);
   if (format == "json") return DiffJson(diff, names);
   if (format == "sarif") return DiffSarif(diff, names);
@@ -177,7 +177,7 @@ int RunDiff(const DiffSettings& settings) {
     std::cout << DiffPage(diff, old_side, new_side);
   } else {
     const std::string program = settings.common.is_one_of_several ? settings.words.program : "";
-    std::cout << Rendered(diff, {requests.old_side.label, requests.new_side.label, program}, settings.format);
+    std::cout << RenderedDiff(diff, {requests.old_side.label, requests.new_side.label, program}, settings.format);
   }
   if (!settings.scenarios.empty()) {
     if (const int written = WriteScenarios(diff, settings.scenarios); written != kDone) return written;

@@ -22,7 +22,7 @@ bool IsShownAlike(const Counterexample& one, const Counterexample& other) {
          one.from_state == other.from_state && one.replay == other.replay && !one.steps.empty();
 }
 
-std::string ResultOf(const Counterexample& example) {
+std::string ResultOfRun(const Counterexample& example) {
   std::string text = example.old_value == example.new_value
                          ? "the calls differ"
                          : example.old_value + " in the old version, " + example.new_value + " in the new one";
@@ -69,7 +69,7 @@ std::vector<std::string> ToldRuns::Of(const review::diff::DiffGroup& group) {
     for (; i < shown.size() && (names.empty() || IsShownAlike(example, *shown[i]->counterexample)); ++i)
       names.push_back(shown[i]->name);
     lines.push_back((group.items.size() == 1 ? std::string() : review::diff::NamesAsRanges(names) + ": ") +
-                    StepsOf(example, first) + ": " + ResultOf(example));
+                    StepsOf(example, first) + ": " + ResultOfRun(example));
   }
   return lines;
 }

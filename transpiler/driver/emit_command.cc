@@ -71,7 +71,7 @@ OutputRequest OnlyFile(const EmitSettings& settings, OutputRequest output,
   return output;
 }
 
-host::Kind HostOf(const EmitSettings& settings) {
+host::Kind HostOfEmission(const EmitSettings& settings) {
   const std::string& of_project = settings.common.program ? settings.common.program->host : settings.host;
   return host::FindHost(settings.host.empty() ? of_project : settings.host).value_or(host::Kind::kOwn);
 }
@@ -87,7 +87,7 @@ OutputRequest MakeOutput(const EmitSettings& settings, compilation::Compilation&
     options.line_directives = settings.line_directives;
     options.parts = settings.single_file ? 1 : settings.parts;
     options.shared = std::move(shared);
-    const host::Kind host = HostOf(settings);
+    const host::Kind host = HostOfEmission(settings);
     options.simulated = host != host::Kind::kOwn;  // a host calls the same routines as the simulation
     const emit::Emittable emittable = emit::legalize::Legalize(compilation.program, options);
     output.files = emit::print::PrintCpp(emittable, *compilation.sources);

@@ -26,7 +26,7 @@ size_t CharacterBytes(std::string_view text, size_t at) {
 }
 
 /// Text between tags or in an attribute; what XML cannot hold becomes the replacement character.
-std::string Escaped(std::string_view text) {
+std::string EscapedForXml(std::string_view text) {
   std::string escaped;
   for (size_t at = 0; at < text.size();) {
     const size_t bytes = CharacterBytes(text, at);
@@ -66,15 +66,15 @@ std::string JunitXml(std::span<const scenarios::TestCase> cases) {
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"plcxx test\"" + counts + ">\n";
   xml += "  <testsuite name=\"scenarios\"" + counts + " skipped=\"0\">\n";
   for (const scenarios::TestCase& test : cases) {
-    xml += "    <testcase classname=\"" + Escaped(test.group) + "\" name=\"" + Escaped(test.name) + "\"";
+    xml += "    <testcase classname=\"" + EscapedForXml(test.group) + "\" name=\"" + EscapedForXml(test.name) + "\"";
     if (test.outcome == scenarios::TestOutcome::kPassed) {
       xml += "/>\n";
       continue;
     }
     const std::string element(Element(test.outcome));
     const std::string_view first_line = std::string_view(test.text).substr(0, test.text.find('\n'));
-    xml += ">\n      <" + element + " message=\"" + Escaped(first_line) + "\">" + Escaped(test.text) + "</" + element +
-           ">\n    </testcase>\n";
+    xml += ">\n      <" + element + " message=\"" + EscapedForXml(first_line) + "\">" + EscapedForXml(test.text) +
+           "</" + element + ">\n    </testcase>\n";
   }
   return xml + "  </testsuite>\n</testsuites>\n";
 }

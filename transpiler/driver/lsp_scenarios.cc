@@ -24,7 +24,7 @@ namespace {
 /// A message in an editor is no page.
 constexpr size_t kMostLines = 25;
 
-std::string TextOf(const std::vector<scenarios::ScenarioError>& errors) {
+std::string TextOfErrors(const std::vector<scenarios::ScenarioError>& errors) {
   std::string text;
   for (const scenarios::ScenarioError& error : errors) text += (text.empty() ? "" : "\n") + ToText(error);
   return text;
@@ -52,7 +52,7 @@ std::vector<std::string> ScenariosOfProgram(const std::vector<std::string>& path
 
 std::string WhyAtItsEnd(const std::string& path, const std::string& signal) {
   const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(path);
-  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) return TextOf(*errors);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) return TextOfErrors(*errors);
   const scenarios::Scenario& scenario = std::get<scenarios::Scenario>(read);
   const compilation::Compilation compilation = compilation::Compile(scenarios::RequestOf(scenario, {}));
   if (!compilation.ok()) return "the program of " + path + " has errors";
@@ -62,7 +62,7 @@ std::string WhyAtItsEnd(const std::string& path, const std::string& signal) {
     return "'" + signal + "' cannot be explained: " + why;
   }
   auto plan = scenarios::PlanScenario(scenario, *compilation.dialect, compilation.program);
-  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&plan)) return TextOf(*errors);
+  if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&plan)) return TextOfErrors(*errors);
   const scenarios::WhyQuestion question{
       .name = signal, .location = *location, .steps = std::nullopt, .time_ms = std::nullopt};
   const scenarios::WhyAnswer answer =

@@ -124,7 +124,7 @@ class UsesByAddress {
   UsesByBits uses_;
 };
 
-std::string PlacesText(const compilation::Compilation& compilation, const std::vector<source::Range>& ranges) {
+std::string RangesText(const compilation::Compilation& compilation, const std::vector<source::Range>& ranges) {
   std::string out;
   for (const source::Range& range : ranges) {
     const source::Position at = compilation.sources->Locate(range.begin);
@@ -163,8 +163,8 @@ void PrintCrossReference(const compilation::Compilation& compilation) {
     const std::string& text = known.help.empty() ? known.meaning : known.help;
     if (!text.empty()) std::cout << "  " << diag::Escaped(text);
     const Uses* used = uses.Of(known.address);
-    std::cout << "\n  written: " << (used == nullptr ? "-" : PlacesText(compilation, used->writes))
-              << "\n  read:    " << (used == nullptr ? "-" : PlacesText(compilation, used->reads)) << '\n';
+    std::cout << "\n  written: " << (used == nullptr ? "-" : RangesText(compilation, used->writes))
+              << "\n  read:    " << (used == nullptr ? "-" : RangesText(compilation, used->reads)) << '\n';
   }
 }
 
@@ -181,7 +181,7 @@ void PrintCosts(const compilation::Compilation& compilation) {
       const std::string_view text = compilation.sources->Text(range);
       std::cout << "  " << source::LeftAligned(std::to_string(statement.own.time_ns) + " ns", 9)
                 << source::LeftAligned(std::to_string(statement.own.code_bytes) + " bytes", 11)
-                << PlacesText(compilation, {range}) << "  " << diag::Escaped(text.substr(0, text.find_first_of("\r\n")))
+                << RangesText(compilation, {range}) << "  " << diag::Escaped(text.substr(0, text.find_first_of("\r\n")))
                 << '\n';
     }
   }

@@ -114,7 +114,7 @@ int RunSim(const SimSettings& settings) {
   return outcome.out_of_time ? kProgramHasErrors : kDone;
 }
 
-void AddRepeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+void AddStimulus(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                  const std::string& placeholder, const std::string& meaning) {
   command.add_option(name, values, meaning)
       ->type_name(placeholder)
@@ -138,13 +138,13 @@ void AddSim(CLI::App& app, Run& run) {
   add("--cycles", words.cycles, "N", "Instead: until N slow cycles have been completed")
       ->check(CLI::Range(1l, 1'000'000l))
       ->excludes(duration);
-  AddRepeated(*command, "--watch", words.watch, "LOC,...", "What to show, up to 16 locations");
+  AddStimulus(*command, "--watch", words.watch, "LOC,...", "What to show, up to 16 locations");
   command->get_option("--watch")->delimiter(',');
   command->add_flag("--changes", settings->changes, "Only rows in which a watched location changed")
       ->group("Simulation");
-  AddRepeated(*command, "--at", words.at, "TIME:LOC=VALUE", "Write a location as machine or control would");
-  AddRepeated(*command, "--force", words.force, "LOC=VALUE", "Hold a location against every writer");
-  AddRepeated(*command, "--disconnect-lines", words.disconnect, "LINES",
+  AddStimulus(*command, "--at", words.at, "TIME:LOC=VALUE", "Write a location as machine or control would");
+  AddStimulus(*command, "--force", words.force, "LOC=VALUE", "Hold a location against every writer");
+  AddStimulus(*command, "--disconnect-lines", words.disconnect, "LINES",
               "Switch statements off: 12, or 12,20, or FILE:12,20, or '*'");
   add("--plant", settings->plant, "FILE",
       "What the machine does around the program; else that of plcxx.yaml or the scenario, 'none': nothing");

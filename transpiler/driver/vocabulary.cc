@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 using dialects::TokenRole;
 
 /// Roles that words of a language have; the others are of texts and places.
-std::string_view NameOf(TokenRole role) {
+std::string_view NameOfRole(TokenRole role) {
   switch (role) {
     case TokenRole::kKeyword:
       return "keywords";
@@ -36,11 +36,11 @@ std::string_view NameOf(TokenRole role) {
 }
 
 /// By role, then by name: what is written after a word.
-Json WordsOf(const dialects::Dialect& dialect) {
+Json WordsOfLanguage(const dialects::Dialect& dialect) {
   std::map<std::string_view, std::map<std::string, std::vector<std::string>>> by_role = {
       {"keywords", {}}, {"mnemonics", {}}, {"functions", {}}};
   for (const dialects::Word& word : dialects::EditingOf(dialect).words()) {
-    std::vector<std::string>& parameters = by_role[NameOf(word.role)][word.name];
+    std::vector<std::string>& parameters = by_role[NameOfRole(word.role)][word.name];
     // A word of several instructions: the one with operands says more.
     if (parameters.size() < word.parameters.size()) parameters = word.parameters;
   }
@@ -55,7 +55,7 @@ std::string VocabularyText() {
     Json& row = vocabulary[std::string(dialect->name)];
     row = {{"title", dialect->title}, {"extensions", Json::array()}};
     for (const std::string_view extension : dialect->extensions) row["extensions"].push_back(extension);
-    row.update(WordsOf(*dialect));
+    row.update(WordsOfLanguage(*dialect));
   }
   return vocabulary.dump(2) + "\n";
 }

@@ -20,7 +20,7 @@ std::string Dump(const Json& json) {
   return diag::JsonForTerminals(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-std::string_view NameOf(ConditionKind kind) {
+std::string_view NameOfKind(ConditionKind kind) {
   switch (kind) {
     case ConditionKind::kWritten:
       return "written";
@@ -54,7 +54,7 @@ Json JsonOf(const Condition& condition, const compilation::Compilation& compilat
   json["signal"] = condition.label;
   json["name"] = condition.name;
   json["value"] = condition.text;
-  json["kind"] = NameOf(condition.kind);
+  json["kind"] = NameOfKind(condition.kind);
   json["origin"] = scenarios::OriginText(condition, compilation.program, *compilation.sources);
   ir::StatementId statement = condition.statement;
   if (condition.last_write) {

@@ -16,7 +16,7 @@ Json Exact(uint64_t value) {
   return std::to_string(value);
 }
 
-constexpr const char* NameOf(BreakKind kind) {
+constexpr const char* KindName(BreakKind kind) {
   switch (kind) {
     case BreakKind::kStatement:
       return "statement";
@@ -28,7 +28,7 @@ constexpr const char* NameOf(BreakKind kind) {
   return "";
 }
 
-constexpr const char* NameOf(NoteKind kind) {
+constexpr const char* KindName(NoteKind kind) {
   switch (kind) {
     case NoteKind::kMessage:
       return "message";
@@ -42,7 +42,7 @@ constexpr const char* NameOf(NoteKind kind) {
   return "";
 }
 
-constexpr const char* NameOf(TriggerState state) {
+constexpr const char* KindName(TriggerState state) {
   switch (state) {
     case TriggerState::kArmed:
       return "armed";
@@ -147,7 +147,7 @@ void StateView::AddChart(Json& state) {
   if (chart.trigger()) {
     const Chart::Trigger& armed = *chart.trigger();
     trigger = {{"text", armed.request.text},
-               {"state", NameOf(armed.state)},
+               {"state", KindName(armed.state)},
                {"atMs", armed.at_ms},
                {"kept", armed.kept.size()},
                {"samples", armed.request.samples}};
@@ -166,7 +166,7 @@ void StateView::AddNotes(Json& state) {
   if (has_notes_ && notes_version_ == session_.notes_version()) return;
   Json notes = Json::array();
   for (const Note& note : session_.notes()) {
-    notes.push_back({{"kind", NameOf(note.kind)},
+    notes.push_back({{"kind", KindName(note.kind)},
                      {"period", note.period},
                      {"ms", note.time_ms},
                      {"text", note.text},
@@ -234,7 +234,7 @@ Json StateView::Changes() {
   Json breakpoints = Json::array();
   for (const Breakpoint& one : session_.breakpoints()) {
     breakpoints.push_back({{"number", one.number},
-                           {"kind", NameOf(one.kind)},
+                           {"kind", KindName(one.kind)},
                            {"text", one.text},
                            {"statement", one.statement.valid() ? int64_t{one.statement.index} : -1}});
   }

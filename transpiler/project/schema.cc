@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Words that YAML takes for numbers or truth values are words, too.
-Json Word() { return {{"type", {"string", "number", "boolean"}}}; }
+Json AnyWord() { return {{"type", {"string", "number", "boolean"}}}; }
 Json Text() { return {{"type", "string"}, {"minLength", 1}}; }
 Json OneOrList(const Json& item) { return {{"anyOf", {item, {{"type", "array"}, {"items", item}}}}}; }
 Json Reference(const std::string& name) { return {{"$ref", "#/definitions/" + name}}; }
@@ -54,7 +54,7 @@ Json TargetsSchema() {
 Json SchemaOf(Shape shape) {
   switch (shape) {
     case Shape::kWord:
-      return Word();
+      return AnyWord();
     case Shape::kWords:
       return Reference("words");
     case Shape::kNumber:
@@ -121,7 +121,7 @@ std::string Schema() {
                            {"warnings", SchemaOf(Section::kWarnings)},
                            {"target", SchemaOf(Section::kTarget)},
                            {"options", OptionsSchema()},
-                           {"words", OneOrList(Word())}};
+                           {"words", OneOrList(AnyWord())}};
   return schema.dump(2) + "\n";
 }
 

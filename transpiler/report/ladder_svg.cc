@@ -10,14 +10,14 @@ namespace {
 std::string Number(int value) { return std::to_string(value); }
 
 // Straight into `out`: the ladders of nested statements are most of a page of many megabytes.
-void Append(std::string& out, std::span<const Line> lines) {
+void AppendShapes(std::string& out, std::span<const Line> lines) {
   for (const Line& line : lines) {
     out += "M" + Number(line.x1) + " " + Number(line.y1);
     out += line.y1 == line.y2 ? "H" + Number(line.x2) : "V" + Number(line.y2);
   }
 }
 
-void Append(std::string& out, std::span<const Rectangle> boxes) {
+void AppendShapes(std::string& out, std::span<const Rectangle> boxes) {
   for (const Rectangle& box : boxes) {
     out += "M" + Number(box.x) + " " + Number(box.y) + "h" + Number(box.width) + "v" + Number(box.height) + "h-" +
            Number(box.width) + "z";
@@ -31,12 +31,12 @@ void Path(std::string& out, std::string_view pen, std::span<const Shape> shapes,
   out += "<path class=\"";
   out += pen;
   out += "\" d=\"";
-  Append(out, shapes);
+  AppendShapes(out, shapes);
   out += symbols;
   out += "\"/>";
 }
 
-constexpr const char* ClassOf(TextKind kind) {
+constexpr const char* TextClassOf(TextKind kind) {
   switch (kind) {
     case TextKind::kName:
       return "";
@@ -55,7 +55,7 @@ constexpr const char* ClassOf(TextKind kind) {
 }
 
 void Text(std::string& out, const DrawnText& text) {
-  std::string classes = ClassOf(text.kind);
+  std::string classes = TextClassOf(text.kind);
   if (text.anchor == Anchor::kStart) classes += classes.empty() ? "s" : " s";
   if (text.local) classes += classes.empty() ? "l" : " l";
   out += "<text x=\"" + Number(text.x) + "\" y=\"" + Number(text.y) + "\"";
@@ -84,13 +84,13 @@ std::string Attributes(const Drawing& drawing, std::string_view label) {
 
 std::string PathOf(std::span<const Line> lines) {
   std::string path;
-  Append(path, lines);
+  AppendShapes(path, lines);
   return path;
 }
 
 std::string PathOf(std::span<const Rectangle> boxes) {
   std::string path;
-  Append(path, boxes);
+  AppendShapes(path, boxes);
   return path;
 }
 

@@ -13,7 +13,7 @@ namespace plcxx::report {
 namespace {
 
 /// Letters and digits of a name, for an anchor; others as '-'.
-std::string Plain(std::string_view name) {
+std::string PlainName(std::string_view name) {
   std::string out;
   for (const char c : name) {
     const bool plain =
@@ -137,7 +137,7 @@ View::View(const ProgramInput& data, std::string_view anchor_prefix)
   }
   std::unordered_map<std::string, uint32_t> count;
   for (const Signal& signal : uses.signals) {
-    std::string anchor = prefix + "v-" + Plain(signal.name);
+    std::string anchor = prefix + "v-" + PlainName(signal.name);
     const uint32_t before = count[anchor]++;
     if (before > 0) anchor += "--" + std::to_string(before + 1);
     signal_anchors.push_back(std::move(anchor));

@@ -16,7 +16,7 @@ using explanation::ConditionKind;
 /// Deeper reasons are there, but nobody reads a line that begins in the middle of the screen.
 constexpr size_t kMaxIndent = 40;
 
-std::string At(const sim::LastWrite& write) { return std::to_string(write.first_ms) + " ms"; }
+std::string TimeOf(const sim::LastWrite& write) { return std::to_string(write.first_ms) + " ms"; }
 
 std::string CommentOf(ir::StatementId statement, const ir::Program& program, const source::SourceManager& sources) {
   if (!statement.valid() || sources.size() == 0) return {};
@@ -86,9 +86,9 @@ std::string OriginText(const Condition& condition, const ir::Program& program, c
     case ConditionKind::kWritten:
       return Written(condition.statement, program, sources);
     case ConditionKind::kInput:
-      return write ? "set by the scenario or the control at " + At(*write) : "as at power-on";
+      return write ? "set by the scenario or the control at " + TimeOf(*write) : "as at power-on";
     case ConditionKind::kKept:
-      return "since " + At(*write) + ", by " +
+      return "since " + TimeOf(*write) + ", by " +
              Written(condition.statement.valid() ? condition.statement : write->statement, program, sources);
     case ConditionKind::kState:
       return write && write->writer == sim::Writer::kProgram ? "kept by " + Written(write->statement, program, sources)

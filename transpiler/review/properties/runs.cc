@@ -377,8 +377,6 @@ void PropertyRuns::Join(const prove::properties::Property& property, Plan& plan)
 }
 
 void PropertyRuns::ShortenWaits(const prove::properties::Property& property, Plan& plan, Cuts cuts) const {
-  // Where parts wait for some periods, what is cut must be as long as they wait, and what comes before it may come
-  // sooner.
   const uint32_t most_tried = cuts == Cuts::kEach ? kMostTriedCuts : 0;
   for (size_t i = 0; i < plan.events.size(); ++i) {
     const uint32_t before = i == 0 ? 1 : plan.events[i - 1].period;

@@ -13,7 +13,7 @@ Value UnitMs(Value scale) {
 }
 
 /// Takes the time word where `when` holds. Gives whether the word has any time.
-Value Load(TimeWordTimerValues& timer, Value when, Value word) {
+Value LoadTime(TimeWordTimerValues& timer, Value when, Value word) {
   const Value scale = Zext(Bits(word, 12, 2), 8);
   const Value time = NumberOfDigits(Low(word, 12), 32) * UnitMs(scale);
   SetIf(when, timer.scale, scale);
@@ -37,13 +37,13 @@ void Stop(TimeWordTimerValues& timer, Value when) {
 
 /// Starts with the output 1 while there is time.
 void Start(TimeWordTimerValues& timer, Value when, Value word) {
-  const Value any = Load(timer, when, word);
+  const Value any = LoadTime(timer, when, word);
   SetIf(when, timer.running, any);
   SetIf(when, timer.output, any);
 }
 /// Starts with the output 0 until there is no time.
 void StartDelay(TimeWordTimerValues& timer, Value when, Value word) {
-  const Value any = Load(timer, when, word);
+  const Value any = LoadTime(timer, when, word);
   SetIf(when, timer.running, any);
   SetIf(when, timer.output, Not(any));
 }

@@ -102,7 +102,7 @@ Interval OfBit(bool never, bool always) {
   return Fitted({.low = always ? 1U : 0U, .high = never ? 0U : 1U, .least = -1, .greatest = 0}, 1);
 }
 
-Interval OfShift(TermKind kind, const Interval& a, uint64_t by, uint8_t width) {
+Interval IntervalOfShift(TermKind kind, const Interval& a, uint64_t by, uint8_t width) {
   Interval one = AnyOf(width);
   if (by >= width) return one;
   if (kind == TermKind::kLshr) {
@@ -118,7 +118,7 @@ Interval OfShift(TermKind kind, const Interval& a, uint64_t by, uint8_t width) {
   return one;
 }
 
-Interval OfBinary(TermKind kind, const Interval& a, const Interval& b, uint8_t width) {
+Interval IntervalOfBinary(TermKind kind, const Interval& a, const Interval& b, uint8_t width) {
   Interval one = AnyOf(width);
   const auto longest = [&] {
     return support::LowBits(static_cast<uint32_t>(std::bit_width(std::max(a.high, b.high))));
@@ -158,7 +158,7 @@ Interval OfBinary(TermKind kind, const Interval& a, const Interval& b, uint8_t w
     case TermKind::kShl:
     case TermKind::kLshr:
     case TermKind::kAshr:
-      return b.low == b.high ? OfShift(kind, a, b.low, width) : one;
+      return b.low == b.high ? IntervalOfShift(kind, a, b.low, width) : one;
     case TermKind::kEq:
       return OfBit(a.high < b.low || b.high < a.low || a.greatest < b.least || b.greatest < a.least,
                    a.low == a.high && b.low == b.high && a.low == b.low);
@@ -295,7 +295,7 @@ Interval Intervals::Compute(TermId id) {
     case TermKind::kSlt: {
       if (terms_.Width(TermId(term.a)) > kWidest) return AnyOf(term.width);
       const Interval a = Of(TermId(term.a));
-      return OfBinary(term.kind, a, Of(TermId(term.b)), term.width);
+      return IntervalOfBinary(term.kind, a, Of(TermId(term.b)), term.width);
     }
   }
   return AnyOf(term.width);

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "transpiler/dialects/classicladder/source/lines.h"
+
 namespace plcxx::classicladder {
 namespace {
 
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 bool IsCapital(char c) { return c >= 'A' && c <= 'Z'; }
 
 uint32_t HexDigit(char c) {

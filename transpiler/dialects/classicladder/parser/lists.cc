@@ -11,8 +11,6 @@ constexpr uint32_t kBases[] = {60'000, 1'000, 100};  // minutes, seconds, 100 ms
 constexpr size_t kSectionNameAt = 9;                 // "#NAME000=": the engine counts characters
 constexpr size_t kExpressionAt = 5;                  // "0000,": likewise
 
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-
 }  // namespace
 
 /// A line for each, from number 0 on: "base,preset", of IEC timers "base,preset,mode", of counters "preset".

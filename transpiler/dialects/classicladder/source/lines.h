@@ -12,6 +12,8 @@
 
 namespace plcxx::classicladder {
 
+constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
 enum class LineKind : uint8_t {
   kProject,     // _FILES_CLASSICLADDER
   kProjectEnd,  // _/FILES_CLASSICLADDER

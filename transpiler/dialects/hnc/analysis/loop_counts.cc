@@ -117,7 +117,7 @@ Bounds Unchanged(const CountedLoop& loop) {
   return same;
 }
 
-int64_t Compared(int64_t value, const CountedLoop& loop) {
+int64_t AsCompared(int64_t value, const CountedLoop& loop) {
   for (const Bounds& type : loop.conversions) value = WrapInto(value, type);
   return value;
 }
@@ -126,8 +126,8 @@ int64_t Compared(int64_t value, const CountedLoop& loop) {
 /// stretch of numbers then, too.
 bool FailsBelow(const CountedLoop& loop, const Bounds& same, int64_t last) {
   const int64_t high = std::min(loop.start.high, same.low - 1);
-  const int64_t first = Compared(loop.start.low, loop);
-  return first > last && Compared(high, loop) - first == high - loop.start.low;
+  const int64_t first = AsCompared(loop.start.low, loop);
+  return first > last && AsCompared(high, loop) - first == high - loop.start.low;
 }
 
 /// The step by the shorter way round the type: 65535, added to 16 bits, is -1.
@@ -173,7 +173,7 @@ std::optional<LoopCount> CountOut(const CountedLoop& loop) {
   LoopCount count{.iterations = 0, .at_test = loop.start, .in_body = {}};
   for (; count.iterations <= kMaxIterations; ++count.iterations) {
     count.at_test = Join(count.at_test, {value, value});
-    if (!RelationHolds(loop.op, Compared(value, loop), loop.limit.low)) return count;
+    if (!RelationHolds(loop.op, AsCompared(value, loop), loop.limit.low)) return count;
     count.in_body = Join(count.in_body.value_or(Bounds{value, value}), {value, value});
     if (!loop.wraps && !loop.type.Holds(value + step)) return std::nullopt;
     value = WrapInto(value + step, loop.type);
@@ -224,7 +224,7 @@ std::optional<LoopCount> Count(const CountedLoop& loop) {
 bool IsEntered(const CountedLoop& loop) {
   if (!loop.start.Within(Unchanged(loop))) {
     return loop.start.IsOne() && loop.limit.IsOne() &&
-           RelationHolds(loop.op, Compared(loop.start.low, loop), loop.limit.low);
+           RelationHolds(loop.op, AsCompared(loop.start.low, loop), loop.limit.low);
   }
   // Of an order the start that is nearest to the limit decides; others are decided where the ranges do not meet.
   if (Info(loop.op).family == BinaryFamily::kOrder) {

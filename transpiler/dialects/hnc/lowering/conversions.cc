@@ -1,6 +1,7 @@
 #include "transpiler/dialects/hnc/lowering/conversions.h"
 
 #include "transpiler/dialects/hnc/lowering/stated_facts.h"
+#include "transpiler/dialects/hnc/syntax/bounds.h"
 #include "transpiler/support/check.h"
 #include "transpiler/support/low_bits.h"
 
@@ -12,13 +13,6 @@ using ir::ValueId;
 namespace {
 
 uint64_t Masked(int64_t value, uint32_t bits) { return static_cast<uint64_t>(value) & support::LowBits(bits); }
-
-/// The value that the low bits are, as the type reads them.
-int64_t Wrapped(int64_t value, const Type& type) {
-  const uint64_t raw = Masked(value, type.bits);
-  const bool negative = type.is_signed && (raw >> (type.bits - 1) & 1) != 0;
-  return negative ? static_cast<int64_t>(raw) - (int64_t{1} << type.bits) : static_cast<int64_t>(raw);
-}
 
 /// An operation of words whose low byte is that of an operation of bytes.
 struct NarrowedOperation {

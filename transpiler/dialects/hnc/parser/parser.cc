@@ -113,7 +113,7 @@ class Run {
   LoadedFiles loaded_;
 };
 
-bool IsError(const Finding& finding) { return finding.row.severity == diag::Severity::kError; }
+bool IsErrorOfParser(const Finding& finding) { return finding.row.severity == diag::Severity::kError; }
 
 /// Reports what counts: nothing in groups that are left out, nothing that only follows from a fault of the text or the
 /// syntax on the same line.
@@ -165,7 +165,7 @@ class Reporter {
     });
   }
   bool Follows(const Finding& finding) {
-    if (!IsError(finding)) return false;
+    if (!IsErrorOfParser(finding)) return false;
     const Line line = LineOf(finding.range);
     const bool follows = finding.phase != Phase::kText && faulty_lines_.contains(line);
     if (!follows && finding.phase != Phase::kMeaning) faulty_lines_.insert(line);

@@ -2,7 +2,15 @@
 
 #include <cstdlib>
 
+#include "transpiler/support/low_bits.h"
+
 namespace plcxx::hnc {
+
+int64_t Wrapped(int64_t value, const Type& type) {
+  const uint64_t raw = static_cast<uint64_t>(value) & support::LowBits(type.bits);
+  const bool is_negative = type.is_signed && type.bits != 0 && (raw >> (type.bits - 1) & 1) != 0;
+  return is_negative ? static_cast<int64_t>(raw) - (int64_t{1} << type.bits) : static_cast<int64_t>(raw);
+}
 
 Bounds BoundsOf(uint32_t bits, bool is_signed) {
   const int64_t count = int64_t{1} << bits;

@@ -20,6 +20,9 @@ struct Bounds {
   bool Within(const Bounds& other) const { return other.low <= low && high <= other.high; }
 };
 
+/// The value that the low bits of a number are, as an integer type reads them.
+int64_t Wrapped(int64_t value, const Type& type);
+
 /// All values of an integer type.
 Bounds BoundsOf(const Type& type);
 /// All values that so many bits of a number have.

@@ -22,7 +22,7 @@ std::string Shown(const source::SourceManager& sources, source::Range range, con
   return EqualIgnoringCase(text, canonical) ? canonical : std::string(text) + " (" + canonical + ")";
 }
 
-Address BitOf(const Access& access, uint32_t bit) {
+Address BitOfAccess(const Access& access, uint32_t bit) {
   Address address = access.address;
   address.number = static_cast<uint16_t>(address.number + bit);
   return address;
@@ -38,7 +38,7 @@ class AccessChecks {
       : program_(program), sources_(sources), diagnostics_(diagnostics), accesses_(AccessesOf(program)) {
     for (const Access& access : accesses_) {
       if (access.kind != Access::Kind::kWrite) continue;
-      for (uint32_t bit = 0; bit < access.bits; ++bit) written_.insert(PlaceOf(BitOf(access, bit)));
+      for (uint32_t bit = 0; bit < access.bits; ++bit) written_.insert(PlaceOf(BitOfAccess(access, bit)));
     }
   }
 
@@ -93,7 +93,7 @@ class AccessChecks {
     if (access.address.area != area) return;
     bool reported = false;
     for (uint32_t bit = 0; bit < access.bits; ++bit) {
-      const Address address = BitOf(access, bit);
+      const Address address = BitOfAccess(access, bit);
       if (address.number < kFirstNcBit || !SignalsAt(address).empty()) continue;
       if (!undocumented_.insert(PlaceOf(address)).second || std::exchange(reported, true)) continue;
       Report(access, diag::Host50Undocumented, TextOf(access, address));
@@ -127,13 +127,13 @@ class AccessChecks {
       in_fast_.emplace();
       for (const Access& other : accesses_) {
         if (other.kind != Access::Kind::kWrite || SectionOf(other) != SectionKind::kFast) continue;
-        for (uint32_t bit = 0; bit < other.bits; ++bit) in_fast_->insert(PlaceOf(BitOf(other, bit)));
+        for (uint32_t bit = 0; bit < other.bits; ++bit) in_fast_->insert(PlaceOf(BitOfAccess(other, bit)));
       }
     }
     if (SectionOf(access) == SectionKind::kFast) return;
     bool reported = false;
     for (uint32_t bit = 0; bit < access.bits; ++bit) {
-      const Address address = BitOf(access, bit);
+      const Address address = BitOfAccess(access, bit);
       if (in_fast_->erase(PlaceOf(address)) == 0 || std::exchange(reported, true)) continue;
       Report(access, diag::Host50FastAndSlow, TextOf(access, address));
     }
@@ -145,7 +145,7 @@ class AccessChecks {
     if (access.kind != Access::Kind::kRead || (area != Area::kB && area != Area::kW && area != Area::kF)) return;
     bool reported = false;
     for (uint32_t bit = 0; bit < access.bits; ++bit) {
-      const Address address = BitOf(access, bit);
+      const Address address = BitOfAccess(access, bit);
       if (IsRetentive(address) || written_.contains(PlaceOf(address))) continue;
       if (!unwritten_.insert(PlaceOf(address)).second || std::exchange(reported, true)) continue;
       Report(access, diag::Host50NeverWritten, TextOf(access, address));
@@ -178,7 +178,7 @@ class AccessChecks {
       for (const Alarm& alarm : program_.alarms) alarm_texts_[alarm.index] = !alarm.text.empty();
     }
     for (uint32_t bit = 0; bit < access.bits; ++bit) {
-      const Address address = BitOf(access, bit);
+      const Address address = BitOfAccess(access, bit);
       if (!IsAlarm(address) || alarm_texts_[address.number - kFirstAlarm]) continue;
       alarm_texts_[address.number - kFirstAlarm] = true;  // the first write only
       Report(access, diag::Host50NoAlarmText, TextOf(access, address));
@@ -228,7 +228,7 @@ void CheckAxisSignals(const Program& program, const source::SourceManager& sourc
   for (const Access& access : AccessesOf(program)) {
     if (access.kind != Access::Kind::kWrite) continue;
     for (uint32_t bit = 0; bit < access.bits; ++bit) {
-      const Address address = BitOf(access, bit);
+      const Address address = BitOfAccess(access, bit);
       const auto owner = owners.find(PlaceOf(address));
       if (owner == owners.end()) continue;
       const std::string text = access.bits == 1 ? Shown(sources, access.range, address) : ToText(address);

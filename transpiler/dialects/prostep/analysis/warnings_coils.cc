@@ -222,7 +222,7 @@ struct CoilChecker {
   }
 };
 
-uint32_t KeyOf(const Operand& operand) {
+uint32_t KeyOfOperand(const Operand& operand) {
   return static_cast<uint32_t>(operand.space()) << 16 | uint32_t{operand.number} << 3 | operand.bit;
 }
 
@@ -236,12 +236,12 @@ void CheckCoils(const Program& program, const Paths& paths, diag::Engine& diagno
       const Instruction& instruction = paths[m].At(i);
       const Operand& operand = instruction.operand;
       if (instruction.op == Op::kAssign) {
-        first_assigned.try_emplace(KeyOf(operand), instruction.range);
+        first_assigned.try_emplace(KeyOfOperand(operand), instruction.range);
         if (operand.space() == Space::kO || operand.space() == Space::kF) {
-          assigned[KeyOf(operand)].push_back({ModuleId(m), i});
+          assigned[KeyOfOperand(operand)].push_back({ModuleId(m), i});
         }
       } else if (instruction.op == Op::kSet || instruction.op == Op::kReset) {
-        first_set.try_emplace(KeyOf(operand), instruction.range);
+        first_set.try_emplace(KeyOfOperand(operand), instruction.range);
       }
     }
   }

@@ -38,7 +38,7 @@ struct Bits {
   }
 };
 
-bool IsMemory(Space space) {
+bool IsMemorySpace(Space space) {
   return space == Space::kI || space == Space::kO || space == Space::kF || space == Space::kD;
 }
 bool Reads(const MemoryAccess& access) { return access.access == Access::kRead || access.access == Access::kReadWrite; }
@@ -46,7 +46,7 @@ bool Writes(const MemoryAccess& access) {
   return access.access == Access::kWrite || access.access == Access::kReadWrite;
 }
 
-std::string TextOf(const MemoryAccess& access) {
+std::string TextOfAccess(const MemoryAccess& access) {
   if (access.bytes == 1 && access.bits != 0xFF) {
     uint8_t bit = 0;
     while ((access.bits >> bit & 1) == 0) ++bit;
@@ -80,7 +80,7 @@ struct MemoryChecker {
   template <class Message, class... Arguments>
   void ReportOnce(const MemoryAccess& access, const Message& message, const Arguments&... arguments) {
     if (!reported.emplace(&message, access.space, access.first, access.bytes, access.bits).second) return;
-    diagnostics.Report(access.range, message, TextOf(access), arguments...);
+    diagnostics.Report(access.range, message, TextOfAccess(access), arguments...);
   }
 
   template <class Visit>
@@ -100,7 +100,7 @@ struct MemoryChecker {
 void MemoryChecker::Collect() {
   for (const Instruction& instruction : program.instructions) accesses.push_back(AccessesOf(program, instruction));
   ForEachAccess([&](const MemoryAccess& access) {
-    if (!IsMemory(access.space)) return;
+    if (!IsMemorySpace(access.space)) return;
     const auto space = static_cast<size_t>(access.space);
     if (access.indirect) {
       (Reads(access) ? read_somewhere : written_somewhere)[space] = true;
@@ -113,7 +113,7 @@ void MemoryChecker::Collect() {
     written.AddBytes(Space::kD, declared.address, declared.address + declared.bytes - 1u);
   }
   for (const Signal& signal : Signals()) {
-    if (!IsMemory(signal.space)) continue;
+    if (!IsMemorySpace(signal.space)) continue;
     const uint32_t bytes = signal.width <= 8 ? 1 : signal.width / 8u;
     MemoryAccess all{.space = signal.space, .first = signal.byte, .bytes = bytes};
     if (signal.width < 8) all.bits = static_cast<uint8_t>(((1u << signal.width) - 1) << signal.bit);
@@ -129,7 +129,7 @@ void MemoryChecker::Collect() {
 /// W37: nothing is said of inputs and of what the NC or the machine reads or writes.
 void MemoryChecker::Unused() {
   ForEachAccess([&](const MemoryAccess& access) {
-    if (!IsMemory(access.space) || access.space == Space::kI || access.indirect || interface.Meets(access)) return;
+    if (!IsMemorySpace(access.space) || access.space == Space::kI || access.indirect || interface.Meets(access)) return;
     const auto space = static_cast<size_t>(access.space);
     if (Reads(access) && !written_somewhere[space] && !written.Meets(access)) {
       ReportOnce(access, diag::ProstepReadNeverWritten);
@@ -145,7 +145,7 @@ void MemoryChecker::Directions() {
   const auto data = InitialData(program);
   const uint32_t refreshed = data[kInputCountAddress] | uint32_t{data[kInputCountAddress + 1]} << 8;
   ForEachAccess([&](const MemoryAccess& access) {
-    if (!Writes(access) || !IsMemory(access.space) || access.indirect) return;
+    if (!Writes(access) || !IsMemorySpace(access.space) || access.indirect) return;
     bool nc = false, machine = false, allowed = false;
     ForEachSignal(access, [&](const Signal& signal) {
       nc |= signal.direction == SignalDirection::kNcToPlc;
@@ -161,7 +161,7 @@ void MemoryChecker::Directions() {
     for (uint32_t port = 0; port < std::min(refreshed, kMostInputBytes); ++port) {
       if (MayWrite(access, Space::kI, InputByteOfPort(port), 0xFF)) return;  // W20 says more
     }
-    diagnostics.Report(access.range, diag::ProstepAgainstDirection, TextOf(access),
+    diagnostics.Report(access.range, diag::ProstepAgainstDirection, TextOfAccess(access),
                        nc ? "the NC writes it" : "it is an input of the machine");
   });
 }
@@ -172,7 +172,7 @@ void MemoryChecker::RefreshedOutputs() {
   const uint32_t refreshed = std::min(declared, kMostOutputBytes);
   ForEachAccess([&](const MemoryAccess& access) {
     if (access.space != Space::kP || !Writes(access) || access.first >= refreshed) return;
-    diagnostics.Report(access.range, diag::ProstepDirectOutputRefreshed, TextOf(access));
+    diagnostics.Report(access.range, diag::ProstepDirectOutputRefreshed, TextOfAccess(access));
   });
 }
 
@@ -185,7 +185,7 @@ void MemoryChecker::Shared() {
       const Module& module = program.modules[ModuleId(m)];
       for (uint32_t i = module.begin_of().index; i < module.end_of().index; ++i) {
         for (const MemoryAccess& access : accesses[i]) {
-          if (Writes(access) && IsMemory(access.space) && !access.indirect) visit(access);
+          if (Writes(access) && IsMemorySpace(access.space) && !access.indirect) visit(access);
         }
       }
     }

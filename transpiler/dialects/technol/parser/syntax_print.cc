@@ -25,7 +25,7 @@ std::string ToText(const Program& program, const Address& address) {
   return text;
 }
 
-std::string_view PrefixOf(uint8_t width) { return width == 8 ? "BYTE." : width == 16 ? "WORD." : "DWRD."; }
+std::string_view WidthPrefix(uint8_t width) { return width == 8 ? "BYTE." : width == 16 ? "WORD." : "DWRD."; }
 
 std::string SymbolText(const Program& program, const Symbol& symbol) {
   const std::string place = std::string(Name(symbol.area)) + "+" + std::to_string(symbol.offset);
@@ -71,7 +71,7 @@ std::string ToText(const Program& program, const Operand& operand) {
     case OperandKind::kBit:
       return (operand.negated ? "-" : "") + program.symbols[operand.symbol].name;
     case OperandKind::kMemory:
-      return std::string(PrefixOf(operand.width)) + ToText(program, operand.address);
+      return std::string(WidthPrefix(operand.width)) + ToText(program, operand.address);
     case OperandKind::kConstant:
       return std::to_string(operand.value);
     case OperandKind::kRegister:

@@ -3,21 +3,10 @@
 #include <cmath>
 #include <type_traits>
 
+#include "transpiler/dialects/hnc/syntax/bounds.h"
+
 namespace plcxx::hnc {
 namespace {
-
-/// The low bits of a number as a value of the type.
-int64_t Wrapped(int64_t value, const Type& type) {
-  const auto bits = static_cast<uint64_t>(value);
-  switch (type.bits) {
-    case 8:
-      return type.is_signed ? static_cast<int8_t>(bits) : static_cast<int64_t>(static_cast<uint8_t>(bits));
-    case 16:
-      return type.is_signed ? static_cast<int16_t>(bits) : static_cast<int64_t>(static_cast<uint16_t>(bits));
-    default:
-      return type.is_signed ? static_cast<int32_t>(bits) : static_cast<int64_t>(static_cast<uint32_t>(bits));
-  }
-}
 
 Constant OfInteger(int64_t value) { return {.integer = value, .real = 0}; }
 Constant OfReal(double value) { return {.integer = 0, .real = value}; }
