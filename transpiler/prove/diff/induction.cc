@@ -314,9 +314,32 @@ bool CheckPowerOn(Comparison& comparison) {
   return true;
 }
 
+namespace {
+
+/// What the program tells the host to store is in the copy of that moment. Where the versions do not say so at the same
+/// time, the copies differ in all that either version writes.
+uint32_t SeparateStoredOtherwise(Comparison& comparison) {
+  const ir::HostFunctionId store = comparison.old_version.program->schedule.retentive_store;
+  if (!store.valid() || comparison.pairing.IsEqual(comparison.old_version.cells.OfCalls(store))) return 0;
+  uint32_t separated = 0;
+  for (const PairResult& result : comparison.results) {
+    const bool is_retentive = machine::IsRetentive(comparison.old_version, result.old_cell) ||
+                              machine::IsRetentive(comparison.new_version, result.new_cell);
+    const bool changes = comparison.old_uses.writes[result.old_cell.index] ||
+                         comparison.new_uses.writes[result.new_cell.index] || comparison.IsInput(result.old_cell);
+    if (!is_retentive || !changes || !comparison.pairing.IsEqual(result.old_cell)) continue;
+    comparison.pairing.Separate(result.old_cell);
+    ++separated;
+  }
+  return separated;
+}
+
+}  // namespace
+
 bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated) {
   if (!machine::HasRetentiveMemory(comparison.old_version) && !machine::HasRetentiveMemory(comparison.new_version))
     return true;
+  separated += SeparateStoredOtherwise(comparison);
   const std::optional<std::vector<Question>> differing = SeparateAtPowerOn(comparison);
   if (!differing) return false;
   separated += static_cast<uint32_t>(differing->size());
