@@ -25,13 +25,8 @@ WideRuns::~WideRuns() = default;
 WideRuns::WideRuns(UnrolledVersions versions, const std::vector<execute::CellId>& sought, Time end)
     : versions_(std::move(versions)) {
   const auto is_late = [end] { return std::chrono::steady_clock::now() >= end; };
-  const machine::PartEnvironment at_power_on{.initial = [this](execute::CellId) { return terms_.Const(0, 64); },
-                                             .now = terms_.Const(0, 32),
-                                             .answers = machine::HostAnswers::kNothing,
-                                             .observed = {},
-                                             .is_late = is_late};
-  const machine::Transition old_init = machine::RunInit(terms_, versions_.old_version, at_power_on),
-                            new_init = machine::RunInit(terms_, versions_.new_version, at_power_on);
+  const machine::Transition old_init = wide::PowerOnAlone(terms_, versions_.old_version, is_late),
+                            new_init = wide::PowerOnAlone(terms_, versions_.new_version, is_late);
   if (!old_init.refusal.empty() || !new_init.refusal.empty()) return;
   const auto relation = [&](const machine::Version& version) {
     return std::make_unique<machine::Relation>(terms_, version, machine::HostAnswers::kNothing);
@@ -201,10 +196,7 @@ void WideRuns::Select(const std::vector<uint32_t>& open, const std::vector<Seen>
   period.copy_of = wide::DrawCopies(scores, random_);
   // Not one after the other: one may be copied from a word that another one is copied to.
   for (wide::WideMachine* const machine : {&*old_machine_, &*new_machine_}) machine->Spread(period.copy_of);
-  const wide::WideMachine::Times before = now_ms_;
-  for (uint32_t word = 0; word < kWords; ++word) {
-    if (period.copy_of[word] != wide::kNoLane) now_ms_[word] = before[period.copy_of[word] / 64];
-  }
+  wide::SpreadTimes(now_ms_, period.copy_of);
   for (uint32_t word = 0; word < kWords; ++word) {
     if (random_.OneIn(4)) inputs_->ChangeHabits(word);
   }
@@ -240,15 +232,9 @@ Run WideRuns::RunOf(const std::vector<uint32_t>& path) const {
   std::map<execute::CellId, uint64_t> level;
   for (uint32_t i = 0; i < path.size(); ++i) {
     std::map<execute::CellId, SetCell> sets;
-    const auto set_cell = [&](execute::CellId cell, bool value) {
+    wide::ForEachSet(history_[i], *inputs_, path[i], [&](execute::CellId cell, bool value) {
       sets[cell] = {.old_cell = cell, .new_cell = versions_.match.new_of_old[cell.index], .value = uint64_t{value}};
-    };
-    for (const wide::WideSet& one : history_[i].sets) {
-      if (one.where.Get(path[i])) set_cell(inputs_->inputs()[one.input].cell, one.value.Get(path[i]));
-    }
-    for (const auto& [request, where] : history_[i].done) {
-      if (where.Get(path[i])) set_cell(request, false);
-    }
+    });
     std::vector<SetCell>& set = run.periods.emplace_back();
     for (const auto& [cell, one] : sets) {
       // What a version writes has another value there, perhaps.

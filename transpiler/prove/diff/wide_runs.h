@@ -120,7 +120,7 @@ class WideRuns {
   std::vector<terms::Plane> differences_;        // by pair, after the last period
   std::vector<wide::Period> history_;            // of the episode
   std::vector<Begin> begins_;                    // of the episode, by word; none: power-on
-  wide::WideMachine::Times now_ms_{};
+  wide::Times now_ms_{};
   uint32_t episodes_ = 0;
   terms::Random random_{0xB5026F5AA96619E9};
 };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "transpiler/ir/constants.h"
 #include "transpiler/ir/op.h"
 #include "transpiler/support/low_bits.h"
 
@@ -107,12 +108,7 @@ void Candidates::AddSteps(const CellValues& state) {
 void Candidates::AddConstantsOf(const ir::Program& program) {
   // A term may have them bit by bit only.
   std::set<uint64_t> constants;
-  for (const ir::Region& region : program.regions) {
-    for (const ir::InstId id : region.insts) {
-      const ir::Inst& inst = program[id];
-      if (inst.op == ir::OpKind::kConst && inst.type != ir::Type::kBit) constants.insert(ConstantValue(inst));
-    }
-  }
+  ir::ForEachNumber(program, [&constants](uint64_t number) { constants.insert(number); });
   // In a large program most of them belong to something else.
   if (constants.size() > kMostConstants) return;
   for (const uint64_t constant : constants) AddNeighbours(program_limits_, constant);

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "transpiler/prove/machine/answers.h"
-#include "transpiler/prove/machine/transition.h"
 #include "transpiler/prove/properties/condition.h"
 #include "transpiler/symbolic/execute/cells.h"
 
@@ -58,13 +57,7 @@ WideSearch::WideSearch(terms::Terms& terms, machine::Relation& relation, const R
                        const std::vector<std::vector<execute::CellId>>& numbers, Time end)
     : terms_(terms), relation_(relation), handshakes_(machine::HandshakeCells(relation.version())) {
   const auto is_late = [end] { return std::chrono::steady_clock::now() >= end; };
-  const machine::Version& version = relation.version();
-  const machine::Transition init = machine::RunInit(terms, version,
-                                                    {.initial = [&](execute::CellId) { return terms.Const(0, 64); },
-                                                     .now = terms.Const(0, 32),
-                                                     .answers = machine::HostAnswers::kNothing,
-                                                     .observed = {},
-                                                     .is_late = is_late});
+  const machine::Transition init = wide::PowerOnAlone(terms, relation.version(), is_late);
   if (!init.refusal.empty() || is_late()) return;
   for (const PropertyOperand& operand : search.property->operands)
     named_.insert(named_.end(), operand.cells.begin(), operand.cells.end());
@@ -211,9 +204,8 @@ void WideSearch::Select(wide::Period& period) {
   period.copy_of = wide::DrawCopies(scores, random_);
   machine_->Spread(period.copy_of);
   wide::SpreadLanes(std::span(looked_at_).subspan(first_count_), period.copy_of);
-  const wide::WideMachine::Times before = now_ms_;
+  wide::SpreadTimes(now_ms_, period.copy_of);
   for (uint32_t word = 0; word < kWords; ++word) {
-    if (period.copy_of[word] != wide::kNoLane) now_ms_[word] = before[period.copy_of[word] / 64];
     if (random_.OneIn(4)) inputs_->ChangeHabits(word);
   }
 }
@@ -251,12 +243,7 @@ PropertyRun WideSearch::RunOf(uint32_t lane) const {
   std::map<execute::CellId, bool> level;
   for (uint32_t i = 0; i < end; ++i) {
     std::map<execute::CellId, bool> sets;
-    for (const wide::WideSet& one : history_[i].sets) {
-      if (one.where.Get(way[i])) sets[inputs_->inputs()[one.input].cell] = one.value.Get(way[i]);
-    }
-    for (const auto& [request, where] : history_[i].done) {
-      if (where.Get(way[i])) sets[request] = false;
-    }
+    wide::ForEachSet(history_[i], *inputs_, way[i], [&sets](execute::CellId cell, bool value) { sets[cell] = value; });
     for (const auto& [cell, value] : sets) {
       const auto [at, is_first] = level.try_emplace(cell, value);
       // What the program writes, too, has another value there, perhaps.

@@ -91,7 +91,7 @@ class WideSearch {
   size_t conjuncts_ = 0;
   std::vector<wide::Period> history_;  // of the episode
   size_t set_ = 0;                     // in it
-  wide::WideMachine::Times now_ms_{};
+  wide::Times now_ms_{};
   uint32_t episodes_ = 0;
   terms::Random random_{0x9FB21C651E98DF25};
 };

@@ -29,6 +29,17 @@ struct Period {
   std::vector<std::pair<execute::CellId, terms::Plane>> done;  // requests that the control clears
 };
 
+/// What is set before the period in a lane, in the order in which it is: `set(cell, value)`; a cell may come twice.
+template <class Set>
+void ForEachSet(const Period& period, const WideInputs& inputs, uint32_t lane, Set&& set) {
+  for (const WideSet& one : period.sets) {
+    if (one.where.Get(lane)) set(inputs.inputs()[one.input].cell, one.value.Get(lane));
+  }
+  for (const auto& [request, where] : period.done) {
+    if (where.Get(lane)) set(request, false);
+  }
+}
+
 /// The lane in which a lane was in each period before `end`: copies are followed back.
 std::vector<uint32_t> WayOf(std::span<const Period> history, uint32_t lane, uint32_t end);
 

@@ -42,6 +42,16 @@ std::vector<execute::CellId> DependedOn(const terms::Terms& terms, const machine
   return cells;
 }
 
+machine::Transition PowerOnAlone(terms::Terms& terms, const machine::Version& version,
+                                 const std::function<bool()>& is_late) {
+  return machine::RunInit(terms, version,
+                          {.initial = [&terms](execute::CellId) { return terms.Const(0, 64); },
+                           .now = terms.Const(0, kTimeWidth),
+                           .answers = machine::HostAnswers::kNothing,
+                           .observed = {},
+                           .is_late = is_late});
+}
+
 WideMachine::WideMachine(const terms::Terms& terms, machine::Relation& relation,
                          const std::vector<execute::CellId>& cells, const machine::Transition& init)
     : schedule_(relation.version().program->schedule),
@@ -137,6 +147,13 @@ void WideMachine::Store(execute::CellId bit, const terms::Plane& where, const te
   if (!Has(bit)) return;
   terms::Plane& plane = state_[first_plane_[bit.index]];
   plane = terms::Choice(where, value, plane);
+}
+
+void SpreadTimes(Times& times, const CopyOf& copy_of) {
+  const Times before = times;
+  for (uint32_t word = 0; word < terms::Plane::kWords; ++word) {
+    if (copy_of[word] != kNoLane) times[word] = before[copy_of[word] / 64];
+  }
 }
 
 void SpreadLanes(std::span<terms::Plane> planes, const CopyOf& copy_of) {

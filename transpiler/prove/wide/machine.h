@@ -25,7 +25,15 @@ inline CopyOf NoCopies() {
   return copy_of;
 }
 
+/// Memory as it is after power-on with nothing stored and a host that answers nothing; refused when `is_late`, too.
+machine::Transition PowerOnAlone(terms::Terms& terms, const machine::Version& version,
+                                 const std::function<bool()>& is_late);
+
+/// A time for the lanes of each word of a plane.
+using Times = std::array<uint64_t, terms::Plane::kWords>;
+
 void SpreadLanes(std::span<terms::Plane> planes, const CopyOf& copy_of);
+void SpreadTimes(Times& times, const CopyOf& copy_of);
 
 class WideMachine {
  public:
@@ -33,9 +41,6 @@ class WideMachine {
   /// after power-on, by cell. All but `cells` and `init` outlive the machine.
   WideMachine(const terms::Terms& terms, machine::Relation& relation, const std::vector<execute::CellId>& cells,
               const machine::Transition& init);
-
-  /// A time for the lanes of each word of a plane.
-  using Times = std::array<uint64_t, terms::Plane::kWords>;
 
   void PowerOn();
   /// The lanes of one word begin with the values that `value` gives.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "transpiler/ir/constants.h"
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/review/diff/search.h"
 #include "transpiler/review/diff/statements.h"
@@ -105,12 +106,7 @@ DirectedSearch::DirectedSearch(const DiffSide& old_side, const DiffSide& new_sid
   }
   std::set<uint64_t> constants;
   for (const ir::Program* const program : {&old_side.whole, &new_side.whole}) {
-    for (const ir::Region& region : program->regions) {
-      for (const ir::InstId id : region.insts) {
-        const ir::Inst& inst = (*program)[id];
-        if (inst.op == ir::OpKind::kConst && inst.type != ir::Type::kBit) constants.insert(ir::ConstantValue(inst));
-      }
-    }
+    ir::ForEachNumber(*program, [&constants](uint64_t number) { constants.insert(number); });
   }
   constants_.assign(constants.begin(), constants.end());
   FindCounters();

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "transpiler/ir/constants.h"
 #include "transpiler/ir/op.h"
 #include "transpiler/prove/machine/transition.h"
 
@@ -45,14 +46,8 @@ std::vector<uint64_t> InitialWordsOf(const prove::machine::Version& version) {
 
 /// Ascending, each as often as it stands there.
 std::vector<uint64_t> ConstantsOf(const prove::machine::Version& version) {
-  const ir::Program& program = *version.program;
   std::vector<uint64_t> constants = InitialWordsOf(version);
-  for (const ir::Region& region : program.regions) {
-    for (const ir::InstId id : region.insts) {
-      const ir::Inst& inst = program[id];
-      if (inst.op == ir::OpKind::kConst && inst.type != ir::Type::kBit) constants.push_back(ConstantValue(inst));
-    }
-  }
+  ir::ForEachNumber(*version.program, [&constants](uint64_t number) { constants.push_back(number); });
   std::ranges::sort(constants);
   return constants;
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "transpiler/ir/constants.h"
 #include "transpiler/prove/machine/answers.h"
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/review/properties/rhythm.h"
@@ -41,12 +42,7 @@ constexpr uint32_t kMostTriedCuts = 40;
 
 std::vector<uint64_t> ConstantsOf(const ir::Program& program) {
   std::set<uint64_t> constants;
-  for (const ir::Region& region : program.regions) {
-    for (const ir::InstId id : region.insts) {
-      const ir::Inst& inst = program[id];
-      if (inst.op == ir::OpKind::kConst && inst.type != ir::Type::kBit) constants.insert(ir::ConstantValue(inst));
-    }
-  }
+  ir::ForEachNumber(program, [&constants](uint64_t number) { constants.insert(number); });
   return {constants.begin(), constants.end()};
 }
 
