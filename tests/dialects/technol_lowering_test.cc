@@ -1,5 +1,8 @@
 // What the instructions of a module become.
 
+#include <map>
+#include <string>
+
 #include "tests/dialects/technol_lowered.h"
 
 namespace plcxx::technol {
@@ -47,6 +50,18 @@ TEST(TechnolLowering, WhatAMacroAddsIsAStatementOfItsOwn) {
             "STOP\n");
   EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
   EXPECT_EQ(StatementsOf(lowered.Routine("MODULE_MAIN")), 2);
+}
+
+TEST(TechnolLowering, TheCommentOfAByteIsThatOfItsBits) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "DATA\nBITS: DFM A,Q ; memory\nOUT0: DFM V1,V2 ; valves\nDATA_END\nMODULE_MAIN\nLDR A\nWR Q\nWR V1\n"
+            "WR V2\nMODULE_MAIN_END\nSTOP\n");
+  std::map<std::string, std::string> meanings;
+  for (const ir::Documentation& known : lowered.program().documentation) meanings[known.symbols] = known.meaning;
+  EXPECT_EQ(meanings["A"], "memory");
+  EXPECT_EQ(meanings["Q"], "memory");
+  EXPECT_EQ(meanings["V2"], "valves");
 }
 
 TEST(TechnolLowering, AJumpBackWithinAStretchNeedsNoStep) {

@@ -69,6 +69,30 @@ TEST_F(GeneratedHnc, SourceNamesTheFilesAlthoughAHeaderHasTheFirstStatement) {
 }
 
 // covers: HNC-331
+TEST_F(GeneratedHnc, AFunctionHasAllLinesAboveItAndInItsHead) {
+  work_.Write("noted.cld",
+              "#include \"plc.h\"\n"
+              "// steps of the tool change\n"
+              "// one step a scan\n"
+              "//\n"
+              "void step(int ch)   // channel\n"
+              "{ R[1] = ch; }\n"
+              "/* coolant\n"
+              " * pump 2 */\n"
+              "int pump(a /* level */, b)\n"
+              "int a; // wanted\n"
+              "int b;\n"
+              "{ return a > b; }\n"
+              "void init() { plc1_time = plc2_time = 16; }\n"
+              "void plc1() { step(1); R[2] = pump(R[3], R[4]); }\n"
+              "void plc2() {}\n");
+  const driver::Ran ran = work_.Run("emit noted.cld -o noted --quiet");
+  ASSERT_EQ(ran.code, 0) << ran;
+  const std::string code = work_.Read("noted/noted.cpp");
+  EXPECT_THAT(code, HasSubstr("\n\n// steps of the tool change\n// one step a scan\n// channel\nstatic void step("));
+  EXPECT_THAT(code, HasSubstr("\n\n// coolant\n// pump 2\n// level\n// wanted\nstatic uint16_t pump("));
+}
+
 TEST_F(GeneratedHnc, SlotsAreConstantsWhereEveryRegistrationIsUnconditional) {
   EXPECT_THAT(work_.Read("out/mill.hpp"), AllOf(HasSubstr("handler_S0"), Not(HasSubstr("handler_M0"))));
   EXPECT_THAT(work_.Read("out/mill.cpp"), HasSubstr("on_m(m, 0"));

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "transpiler/report/ladder_drawing.h"
+#include "transpiler/report/routine_title.h"
 #include "transpiler/report/rows.h"
 
 namespace plcxx::report {
@@ -28,7 +29,7 @@ struct Captioned {
 
 void Append(const ProgramInput& input, RoutineLadder ladder, Captioned& out) {
   const ir::Routine& routine = input.program->routines[ladder.routine];
-  const std::string title = routine.name + (routine.comment.empty() ? "" : ": " + routine.comment);
+  const std::string title = RoutineTitle(routine);
   out.captions.push_back({out.items.size(), "", TextKind::kLabel});
   out.captions.push_back({out.items.size(), title, TextKind::kLabel});
   std::vector<bool> seen(input.program->statements.size());

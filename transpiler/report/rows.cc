@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "transpiler/report/routine_title.h"
 #include "transpiler/support/hex.h"
 
 namespace plcxx::report {
@@ -222,7 +223,7 @@ void RowMaker::Ladder(RoutineLadder ladder) {
       if (own_row == kNoRow) {
         own_row = static_cast<uint32_t>(rows_.rows.size());
         rows_.rows.emplace_back();
-        rows_.rows.back().title = routine.name + (routine.comment.empty() ? "" : ": " + routine.comment);
+        rows_.rows.back().title = RoutineTitle(routine);
       }
       rows_.rows[own_row].ladder.push_back(std::move(item));
     } else {

@@ -1,5 +1,7 @@
 #include "transpiler/dialects/hnc/lowering/functions.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "transpiler/dialects/hnc/lowering/cell_places.h"
@@ -17,12 +19,18 @@
 
 namespace plcxx::hnc {
 
-/// The last line of the comment above a function, in one line.
-std::string Functions::CommentAbove(const Function& function) const {
-  const std::vector<const Comment*> above = CommentsBefore(unit_, sources_, function.head.begin);
-  if (above.empty()) return function.name + "()";
+/// The comments above a function and in its head, line by line.
+std::string Functions::CommentOf(const Function& function) const {
+  std::vector<const Comment*> comments = CommentsBefore(unit_, sources_, function.head.begin);
+  const source::Range head = {function.head.begin, unit_.statements[function.body].range.begin};
+  std::ranges::copy(CommentsIn(unit_, head), std::back_inserter(comments));
+  std::vector<source::Range> lines;
+  for (const Comment* comment : comments) AddCommentLines(sources_.Text(comment->range), comment->range.begin, lines);
   std::string text;
-  for (const char c : above.back()->text) text += c == '\n' || c == '\r' ? ' ' : c;
+  for (const source::Range& line : lines) {
+    if (!text.empty()) text += '\n';
+    text += sources_.Text(line);
+  }
   return text.empty() ? function.name + "()" : text;
 }
 
@@ -34,7 +42,7 @@ void Functions::AddRoutines() {
     const Function& function = unit_.functions[id];
     const bool is_init = id == unit_.init;
     placement_.routines[id.index] =
-        builder_.AddRoutine(is_init ? "plc_init" : function.name, ir::RoutineKind::kSubroutine, CommentAbove(function));
+        builder_.AddRoutine(is_init ? "plc_init" : function.name, ir::RoutineKind::kSubroutine, CommentOf(function));
     locals_.Begin(function.name + "_locals");
     ir::Routine& routine = program_.routines[placement_.routines[id.index]];
     const auto parameter = [&](std::string name, ir::Type type) {

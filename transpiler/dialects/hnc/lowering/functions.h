@@ -55,7 +55,7 @@ class Functions : Context {
  private:
   /// Whether the routine of the function is made.
   bool IsIncluded(FunctionId id) const { return scope_ == Scope::kAll || facts_.PartsOf(id) != 0; }
-  std::string CommentAbove(const Function& function) const;
+  std::string CommentOf(const Function& function) const;
   void BeginLocals(const Function& function);
 
   Scope scope_;

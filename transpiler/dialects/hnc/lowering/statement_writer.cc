@@ -7,10 +7,7 @@
 
 namespace plcxx::hnc {
 
-namespace {
-
-/// The lines of a comment without its marks and the decoration of its left edge.
-void AddLines(std::string_view text, source::Offset begin, std::vector<source::Range>& to) {
+void AddCommentLines(std::string_view text, source::Offset begin, std::vector<source::Range>& to) {
   const bool block = text.starts_with("/*");
   size_t at = 2;
   const size_t stop = block && text.size() >= 4 ? text.size() - 2 : text.size();
@@ -27,13 +24,11 @@ void AddLines(std::string_view text, source::Offset begin, std::vector<source::R
   }
 }
 
-}  // namespace
-
 /// Comments in front of `until` that no statement has taken yet.
 void StatementWriter::TakeComments(source::Offset until, std::vector<source::Range>& to) {
   while (next_comment_ < unit_.comments.size() && unit_.comments[next_comment_].range.begin < until) {
     const Comment& comment = unit_.comments[next_comment_++];
-    AddLines(sources_.Text(comment.range), comment.range.begin, to);
+    AddCommentLines(sources_.Text(comment.range), comment.range.begin, to);
   }
 }
 

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "transpiler/dialects/common/statement_ids.h"
 #include "transpiler/dialects/hnc/lowering/context.h"
 
 namespace plcxx::hnc {
+
+/// The lines of a comment, which begins at `begin`, without its marks and the decoration of its left edge.
+void AddCommentLines(std::string_view text, source::Offset begin, std::vector<source::Range>& to);
 
 class StatementWriter : Context {
  public:

@@ -56,7 +56,10 @@ void InstructionReader::FaultOfUnknownInstruction(const Token& token) {
   std::string word(TextOf(token));
   std::ranges::transform(word, word.begin(), Upper);
   const auto* const other = std::ranges::find(kOtherNames, word, &OtherName::word);
-  if (other != std::end(kOtherNames)) {
+  if (const std::string narrowed = Narrowed(TextOf(token)); narrowed != TextOf(token) && MnemonicByName(narrowed)) {
+    Fault(token.range, diag::Host50UnknownInstructionHint, TextOf(token), narrowed + " with narrow letters")
+        .fixits.push_back({token.range, narrowed});
+  } else if (other != std::end(kOtherNames)) {
     Fault(token.range, diag::Host50UnknownInstructionHint, TextOf(token), other->meant);
   } else if (const std::string_view near = NearMnemonic(word); !near.empty()) {
     Fault(token.range, diag::Host50UnknownInstructionNear, TextOf(token), near);

@@ -83,6 +83,17 @@ char NarrowOf(char32_t point) {
   return wide ? static_cast<char>(point - kWideDistance) : '\0';
 }
 
+std::string Narrowed(std::string_view text) {
+  std::string narrowed;
+  while (!text.empty()) {
+    const source::CodePoint point = source::FirstCodePoint(text);
+    const char narrow = NarrowOf(point.value);
+    narrowed += narrow != '\0' ? std::string_view(&narrow, 1) : text.substr(0, point.length);
+    text.remove_prefix(point.length);
+  }
+  return narrowed;
+}
+
 Span StatementReader::AddComments(std::vector<source::Range>& above, source::Range row) {
   Span span{.first = static_cast<uint32_t>(program_.comments.size())};
   for (const source::Range range : above) program_.comments.push_back({range, CommentPlace::kAbove});
@@ -101,7 +112,12 @@ void StatementReader::FaultOfBadCharacter(const Token& token) {
       token.range.begin > now_.source->base && IsLetter(now_.source->text[token.range.begin - now_.source->base - 1]);
   const bool behind_digit =
       token.range.begin > now_.source->base && IsDigit(now_.source->text[token.range.begin - now_.source->base - 1]);
-  if (narrow != '\0') {
+  constexpr char32_t kOpeningQuote = 0x201C, kClosingQuote = 0x201D;
+  if (point == kOpeningQuote || point == kClosingQuote) {
+    Fault(token.range, diag::Host50BadCharacterHint, picture, source::CodePointName(point),
+          "a text stands between straight quotes: \"")
+        .fixits.push_back({token.range, "\""});
+  } else if (narrow != '\0') {
     Fault(token.range, diag::Host50WideCharacter, picture, source::CodePointName(point),
           narrow != ' ' ? "'" + std::string(1, narrow) + "'" : std::string("blank"))
         .fixits.push_back({token.range, std::string(1, narrow)});

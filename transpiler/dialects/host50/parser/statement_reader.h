@@ -38,6 +38,8 @@ struct Parsing {
 
 /// The ASCII character of which this one is the full-width form; '\0' for all others.
 char NarrowOf(char32_t point);
+/// With narrow characters in the place of full-width ones.
+std::string Narrowed(std::string_view text);
 
 /// What a part of the parser sees. Refers to the parsing.
 class StatementReader : protected dialects::FaultReporter {

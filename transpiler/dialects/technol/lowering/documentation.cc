@@ -16,6 +16,8 @@ std::string Documentation::CommentOf(const Symbol& symbol) const {
     const size_t begin = text.find_first_not_of(" \t;*-=");
     return begin == std::string_view::npos ? "" : std::string(text.substr(begin));
   }
+  // The comment of a byte with names for its bits is about each of them.
+  if (symbol.kind == SymbolKind::kBit && symbol.byte.valid()) return CommentOf(tree_.symbols[symbol.byte]);
   return {};
 }
 

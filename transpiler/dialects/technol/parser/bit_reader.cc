@@ -121,6 +121,14 @@ bool BitReader::ReadFlagValue(int64_t& flag) {
                     std::string(value->text) + "," + std::string(bit_behind->text));
     return false;
   }
+  if (operands == 1) {
+    const bool is_value = value->kind == TokenKind::kNumber;
+    while (!reader_.AtEnd()) reader_.Take();
+    const std::string half = reader_.TextFrom(first);
+    context_.Report(instruction_.range, diag::TechnolFlagHalf, mnemonic_, half,
+                    is_value ? half + ",NAME" : "1," + half.substr(half.starts_with('-') ? 1 : 0));
+    return false;
+  }
   if (operands != 2) {
     context_.Report(instruction_.range, diag::TechnolOneBit, std::string(mnemonic_) + " with its 0 or 1", operands);
     return false;

@@ -26,9 +26,11 @@ std::optional<ModuleKind> ModuleByKeyword(std::string_view upper) {
   return std::nullopt;
 }
 
-/// Does the second word define the first one, whatever that is? DB and the like may be operands: MOV DS,CX.
-bool NamesDefinition(std::span<const Token> words) {
+/// Does the second word define the first one, whatever that is? DB and the like may be operands: MOV DS,CX. So may be a
+/// word that is no name and was declared as one: LDR MACRO.
+bool NamesDefinition(std::span<const Token> words, const ParsingContext& context) {
   const std::string second = UpperWord(words, 1);
+  if (context.IsReportedAsName(second)) return false;
   return second == "EQU" || second == "STRUC" || second == "STRUCT" || second == "MACRO" ||
          (words.size() > 1 && words[1].text == "=");
 }
@@ -158,7 +160,7 @@ void FileReader::ReadStatement(const Statement& statement) {
   }
   if (ReadDirective(statement)) return;
   const Op op = OpByMnemonic(statement.upper);
-  if (op != Op::kUnknown && !NamesDefinition(statement.words)) return units_.ReadInstruction(statement, op);
+  if (op != Op::kUnknown && !NamesDefinition(statement.words, context_)) return units_.ReadInstruction(statement, op);
   if (ReadDefinition(statement) || ReadUse(statement)) return;
   if (ReportUnknown(statement, CurrentPlace(), context_) && !ReadMeant(statement)) KeepUnknown(statement);
 }

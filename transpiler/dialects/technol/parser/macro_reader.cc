@@ -24,6 +24,12 @@ std::optional<std::vector<std::string>> ReadNames(std::span<const Token> words, 
   return std::nullopt;
 }
 
+/// Does the line begin or end a part of the program? No macro does.
+bool BeginsPart(std::string_view upper) {
+  return upper == "DATA" || upper == "DATA_END" || upper == "STOP" || upper.starts_with("MODULE_") ||
+         upper.starts_with("PRIPRAVNE_FUNKCE") || upper.starts_with("ZAVERECNE_FUNKCE");
+}
+
 }  // namespace
 
 void MacroReader::OpenMacro(const Statement& statement) {
@@ -54,11 +60,7 @@ void MacroReader::ReadLine(std::string_view text, std::span<const Token> tokens,
   if (Means(first.text, "ENDM")) {
     WarnOfCompletion(first);
     if (tokens.size() > 1) context_.Report(tokens[1].range, diag::TechnolSurplus, Shown(&tokens[1]), first.text);
-    Macro macro = std::move(*open_);
-    open_.reset();
-    const SymbolId symbol = macro.symbol;
-    if (symbol.valid()) macros_.try_emplace(symbol, std::move(macro));  // included again: the same
-    return;
+    return Close();
   }
   if (Means(first.text, "LOCAL") && !open_->in_body) {
     WarnOfCompletion(first);
@@ -68,6 +70,13 @@ void MacroReader::ReadLine(std::string_view text, std::span<const Token> tokens,
     open_->faulty |= context_.faulty;
     return;
   }
+  if (tokens.size() == 3 && tokens[1].text == ":" && Means(tokens[2].text, "ENDM")) {
+    context_.Report(tokens[2].range, diag::TechnolStrayLineHint, tokens[2].text, "stands behind a label",
+                    "end the line behind the label, and write ENDM on the next one");
+    open_->faulty = true;
+    return Close();
+  }
+  if (!open_->foreign && BeginsPart(Upper(first.text))) open_->foreign = first.range;
   if (tokens.size() > 1 && Means(tokens[1].text, "MACRO")) {
     context_.Report(first.range, diag::TechnolStrayLine,
                     context_.sources.Text({first.range.begin, tokens[1].range.end}),
@@ -81,9 +90,20 @@ void MacroReader::ReadLine(std::string_view text, std::span<const Token> tokens,
   open_->lines.push_back({.text = text, .range = range});
 }
 
+void MacroReader::Close() {
+  Macro macro = std::move(*open_);
+  open_.reset();
+  const SymbolId symbol = macro.symbol;
+  if (symbol.valid()) macros_.try_emplace(symbol, std::move(macro));  // included again: the same
+}
+
 void MacroReader::LeaveOpenMacro() {
   if (!open_) return;
-  context_.Report(open_->range, diag::TechnolStrayLine, open_->name + " MACRO", "has no ENDM");
+  diag::Diagnostic& diagnostic =
+      context_.Report(open_->foreign.value_or(open_->range), diag::TechnolStrayLineHint, open_->name + " MACRO",
+                      "has no ENDM", "write ENDM behind the last line of the macro");
+  if (open_->foreign) diagnostic.notes.push_back({open_->range, "it was opened here"});
+  now_.lost_lines = open_->foreign.has_value();
   open_.reset();
 }
 

@@ -49,6 +49,9 @@ class MacroReader : private StatementReader {
   void EndCall(const MacroCall& call);
 
  private:
+  /// The macro is complete.
+  void Close();
+
   CommentReader& comments_;
   CodeReader& code_;
   std::optional<Macro> open_;

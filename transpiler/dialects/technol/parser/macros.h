@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,9 +26,10 @@ struct Macro {
   std::string name;
   source::Range range;
   bool faulty = false;
-  bool in_body = false;                 // a line that is no LOCAL has been read
-  std::vector<std::string> parameters;  // folded as names are
-  std::vector<std::string> locals;      //
+  bool in_body = false;                  // a line that is no LOCAL has been read
+  std::optional<source::Range> foreign;  // first word of the first line that no macro has: ENDM may be missing
+  std::vector<std::string> parameters;   // folded as names are
+  std::vector<std::string> locals;       //
   std::vector<MacroLine> lines;
 };
 

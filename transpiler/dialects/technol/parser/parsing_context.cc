@@ -16,6 +16,15 @@ bool IsHexadecimal(std::string_view name) {
                              [](char c) { return IsDigit(c) || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f'); });
 }
 
+/// 0FFh for OFFh: the number that was typed with letters O in place of zeros; empty when it is none.
+std::string WithZeros(std::string_view name) {
+  if (name.empty() || (name.front() != 'O' && name.front() != 'o')) return {};
+  std::string number(name);
+  std::ranges::replace_if(number, [](char c) { return c == 'O' || c == 'o'; }, '0');
+  const bool decimal = std::ranges::all_of(number, IsDigit);
+  return decimal || IsHexadecimal(number) ? number : std::string();
+}
+
 }  // namespace
 
 void ParsingContext::ReportUndefined(std::string_view name, source::Range range) {
@@ -27,6 +36,8 @@ void ParsingContext::ReportUndefined(std::string_view name, source::Range range)
     Report(range, diag::TechnolUndefinedYet, name).notes.push_back({names[symbol].range, "it is defined here"});
   } else if (IsHexadecimal(name)) {
     Report(range, diag::TechnolUndefinedHexadecimal, name);
+  } else if (const std::string number = WithZeros(name); !number.empty()) {
+    Report(range, diag::TechnolUndefinedNear, name, number);
   } else if (const std::string near = NearName(name); !near.empty()) {
     Report(range, diag::TechnolUndefinedNear, name, near);
   } else {
@@ -77,16 +88,18 @@ bool ParsingContext::IsName(const Token& token) {
 void ParsingContext::ReportReserved(const Token& token, std::string_view behind) {
   const std::string word = Upper(token.text);
   const bool takes_point = word == "CNST" || word == "BYTE" || word == "WORD" || word == "DWRD";
-  if (takes_point && !behind.empty()) {
+  if (word == "DWORD" && !behind.empty()) {
+    Report(token.range, diag::TechnolReservedMeant, token.text, "the prefix of 32 bits is DWRD");
+  } else if (takes_point && !behind.empty()) {
     Report(token.range, diag::TechnolReservedMeant, token.text, "write " + word + "." + std::string(behind));
   } else if (word == "NOT" && !behind.empty()) {
     Report(token.range, diag::TechnolReservedMeant, token.text,
            "write -" + std::string(behind) + " for the negated bit");
+  } else if (!reserved_.insert(word).second) {
+    Forgive();
   } else if (word == "START") {
     Report(token.range, diag::TechnolReservedMeant, token.text,
            "START is another word for DATA_END: choose another name");
-  } else if (!reserved_.insert(word).second) {
-    Forgive();
   } else if (RegisterByName(word) != Register::kNone) {
     Report(token.range, diag::TechnolReservedMeant, token.text, word + " is a register: choose another name");
   } else if (OpByMnemonic(word) != Op::kUnknown) {

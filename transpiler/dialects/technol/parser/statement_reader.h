@@ -31,6 +31,7 @@ struct Reading {
   std::vector<std::string> including;  // identities of the files that are open
   bool in_data = false;
   UnitId module, mechanism;  // open
+  bool lost_lines = false;   // a macro without its ENDM has taken the rest of a file
 };
 
 /// Files on their way to a program.

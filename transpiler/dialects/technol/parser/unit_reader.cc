@@ -246,8 +246,8 @@ void UnitReader::CheckWhole(source::Range last) {
     context_.NextStatement({});
     context_.Report(last, message, values...);
   };
-  if (!has_data_) report(diag::TechnolNoData);
-  if (!has_stop_) report(diag::TechnolNoStop);
+  if (!has_data_ && !now_.lost_lines) report(diag::TechnolNoData);
+  if (!has_stop_ && !now_.lost_lines) report(diag::TechnolNoStop);
   if (context_.diagnostics.HasErrors() && !context_.settings.strict) return;  // one of them may be what is missing
   for (const ModuleInfo& info : Modules()) {
     if (!info.standard || FindModule(context_.program, info.kind).valid()) continue;
