@@ -4,16 +4,22 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <random>
+#include <span>
+#include <string_view>
 #include <thread>
+#include <vector>
 
 #include "tests/temporary_directory.h"
 #include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/solver/sweep.h"
 #include "transpiler/symbolic/terms/evaluate.h"
+#include "transpiler/symbolic/terms/floats.h"
 
 namespace plcxx::prove {
 namespace {
@@ -55,6 +61,97 @@ TEST(Solver, UnknownFunctionsGiveEqualResultsForEqualArguments) {
   const std::array conditions{terms.Eq(x, y), terms.Ne(terms.Apply(f, {&x, 1}), terms.Apply(f, {&y, 1}))};
   EXPECT_EQ(solver->Check(conditions, solver::Limit::Effort(10'000)), solver::Answer::kNever);
   EXPECT_EQ(solver->Check({&conditions[1], 1}, solver::Limit::Effort(10'000)), solver::Answer::kPossible);
+}
+
+using FloatOperation = terms::TermId (*)(terms::Terms&, terms::TermId, terms::TermId);
+
+/// Whether a function of floating point gives for numbers of every kind what it has as their value, asked of the
+/// solver.
+void ExpectFloatsAsEvaluated(const char* name, FloatOperation operation, uint8_t width,
+                             std::span<const double> numbers) {
+  constexpr size_t kAtOnce = 8;
+  const bool is_number = std::string_view(name) != "ToSigned";
+  terms::Terms terms;
+  const std::unique_ptr<solver::Solver> solver = Load(terms);
+  terms::TermId any = terms.Bit(false);
+  std::vector<terms::TermId> conditions;
+  const auto ask = [&] {
+    conditions.push_back(any);
+    EXPECT_EQ(solver->Check(conditions, solver::Limit::Effort(10'000)), solver::Answer::kNever) << name << +width;
+    conditions.clear();
+    any = terms.Bit(false);
+  };
+  for (const double a : numbers) {
+    for (const double b : numbers) {
+      const terms::TermId of_a = terms::FloatConst(terms, a, width), of_b = terms::FloatConst(terms, b, width);
+      const terms::TermId x = terms.Variable("x", width), y = terms.Variable("y", width);
+      conditions.push_back(terms.And(terms.Eq(x, of_a), terms.Eq(y, of_b)));
+      const terms::TermId of_variables = operation(terms, x, y), of_numbers = operation(terms, of_a, of_b);
+      // Of a sign before an operand NaN has it, too; nobody looks at it.
+      const terms::TermId is_nan = is_number && terms.IsTrue(terms::FloatIsNan(terms, of_numbers))
+                                       ? terms::FloatIsNan(terms, of_variables)
+                                       : terms.Bit(false);
+      any = terms.Or(any, terms.And(terms.Ne(of_variables, of_numbers), terms.Not(is_nan)));
+      if (conditions.size() == kAtOnce) ask();
+    }
+  }
+  if (!conditions.empty()) ask();
+}
+
+TEST(Solver, FloatingPointIsAsItIsEvaluated) {
+  using Limits = std::numeric_limits<float>;
+  const std::array numbers{0.0,
+                           -0.0,
+                           1.0,
+                           -2.5,
+                           3.6,
+                           100.0,
+                           double{Limits::denorm_min()},
+                           double{Limits::max()},
+                           1e-3,
+                           0x1p63,
+                           0.5,
+                           -1.5,
+                           -double{Limits::infinity()},
+                           double{Limits::quiet_NaN()}};
+  for (const uint8_t width : {uint8_t{32}, uint8_t{64}}) {
+    ExpectFloatsAsEvaluated("Add", terms::FloatAdd, width, numbers);
+    ExpectFloatsAsEvaluated("Mul", terms::FloatMul, width, numbers);
+    ExpectFloatsAsEvaluated("Div", terms::FloatDiv, width, numbers);
+    ExpectFloatsAsEvaluated(
+        "Sqrt", [](terms::Terms& t, terms::TermId a, terms::TermId) { return terms::FloatSqrt(t, a); }, width, numbers);
+    ExpectFloatsAsEvaluated(
+        "Rint", [](terms::Terms& t, terms::TermId a, terms::TermId) { return terms::FloatRint(t, a); }, width, numbers);
+    ExpectFloatsAsEvaluated(
+        "ToSigned", [](terms::Terms& t, terms::TermId a, terms::TermId) { return terms::FloatToSigned(t, a, 64); },
+        width, numbers);
+    // A number's bits are an integer, too.
+    ExpectFloatsAsEvaluated(
+        "FromSigned", [](terms::Terms& t, terms::TermId a, terms::TermId) { return terms::FloatFromSigned(t, a, 32); },
+        width, numbers);
+    ExpectFloatsAsEvaluated(
+        "Convert",
+        [](terms::Terms& t, terms::TermId a, terms::TermId) {
+          return t.Width(a) == 32 ? terms::FloatWiden(t, a) : terms::FloatNarrow(t, a);
+        },
+        width, numbers);
+  }
+}
+
+TEST(Solver, FindsTheNumberThatAProductHasToBeOf) {
+  terms::Terms terms;
+  const std::unique_ptr<solver::Solver> solver = Load(terms);
+  const terms::TermId x = terms.Variable("x", 32);
+  const auto product_is = [&](double factor, double product) {
+    return terms.Eq(terms::FloatMul(terms, x, terms::FloatConst(terms, factor, 32)),
+                    terms::FloatConst(terms, product, 32));
+  };
+  const terms::TermId hundred = product_is(3.6, 100.0);
+  ASSERT_EQ(solver->Check({&hundred, 1}, solver::Limit::Effort(10'000)), solver::Answer::kPossible);
+  EXPECT_EQ(std::bit_cast<float>(static_cast<uint32_t>(solver->ValueOf(x))) * 3.6F, 100.0F);
+  // The products of two numbers beside each other leave one out.
+  const terms::TermId left_out = product_is(1.5, double{std::bit_cast<float>(0x3FCCCCCDU)});
+  EXPECT_EQ(solver->Check({&left_out, 1}, solver::Limit::Effort(10'000)), solver::Answer::kNever);
 }
 
 /// How far a solver comes must not depend on how much else the machine has to do: no clock ends this question.
