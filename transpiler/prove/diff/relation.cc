@@ -27,6 +27,12 @@ terms::TermId Unconditional(terms::Terms& terms, const Relation& relation, const
       const terms::TermId product = terms.Mul(terms.Resize(other, width), terms.Const(relation.factor, width));
       return terms.Eq(number, terms.Add(product, terms.Const(relation.constant, width)));
     }
+    case Relation::Kind::kSum: {
+      const uint8_t width = terms.Width(number);
+      const terms::TermId sum =
+          terms.Add(terms.Resize(other, width), terms.Resize(TermOf(terms, relation.third, value), width));
+      return terms.Eq(number, terms.Add(sum, terms.Const(relation.constant, width)));
+    }
     case Relation::Kind::kAmong: {
       terms::TermId holds = terms.Bit(false);
       for (const auto& [first, second] : relation.values)
@@ -47,10 +53,12 @@ terms::TermId Unconditional(terms::Terms& terms, const Relation& relation, const
 }  // namespace
 
 terms::TermId ConditionOf(terms::Terms& terms, const Relation& relation, const Value& value) {
-  const terms::TermId holds = Unconditional(terms, relation, value);
-  if (relation.while_bit.cells.empty()) return holds;
-  const terms::TermId bit = TermOf(terms, relation.while_bit, value);
-  return terms.Or(relation.while_set ? terms.Not(bit) : bit, holds);
+  terms::TermId holds = Unconditional(terms, relation, value);
+  for (const auto& [number, is_set] : relation.whiles) {
+    const terms::TermId bit = TermOf(terms, number, value);
+    holds = terms.Or(is_set ? terms.Not(bit) : bit, holds);
+  }
+  return holds;
 }
 
 }  // namespace plcxx::prove::diff

@@ -29,19 +29,24 @@ struct Number {
 
 struct Relation {
   enum class Kind : uint8_t {
-    kLinear,   // number = factor * other + constant, in as many bits as the number has
-    kAmong,    // the two are one of `values`
-    kIs,       // number, a bit, is set where the other one is `constant`
+    kLinear,  // number = factor * other + constant, in as many bits as the number has
+    kSum,    // number = other + third + constant, in as many bits: one time, and the same as two that follow each other
+    kAmong,  // the two are one of `values`
+    kIs,     // number, a bit, is set where the other one is `constant`
     kAtLeast,  // number, a bit, is set where the other one is `constant` or more
   };
   Kind kind = Kind::kLinear;
   Number number, other;  // of two sides, in any order
+  Number third = {};     // kSum: of the other one's side
   uint64_t factor = 1, constant = 0;
   bool is_inverted = false;                           // kIs, kAtLeast: is not set there
   std::vector<std::pair<uint64_t, uint64_t>> values;  // kAmong: number, other
-  /// With cells: it is said of those states only in which this bit has that value.
-  Number while_bit;
-  bool while_set = false;
+  /// Not empty: it is said of those states only in which each of these bits has that value.
+  struct While {
+    Number bit;
+    bool is_set = false;
+  };
+  std::vector<While> whiles = {};
 };
 
 /// The relation as a condition on the values that `value` gives.

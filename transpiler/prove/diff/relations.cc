@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -9,10 +11,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "transpiler/ir/op.h"
 #include "transpiler/prove/diff/joint_run.h"
-#include "transpiler/prove/machine/inputs.h"
-#include "transpiler/prove/machine/sets.h"
+#include "transpiler/prove/diff/open_cells.h"
 #include "transpiler/support/low_bits.h"
 #include "transpiler/support/mixed.h"
 #include "transpiler/symbolic/terms/random.h"
@@ -24,86 +24,13 @@ constexpr int kRuns = 24, kPeriods = 400;
 constexpr size_t kMostEvaluated = 40'000'000;             // terms, in all runs
 constexpr size_t kPeriodsFromSeen = 40;                   // of a state that runs have come by
 constexpr size_t kMostStates = 4000;                      // that are kept, of those that differ
-constexpr size_t kMostNumbers = 80;                       // of one version
 constexpr size_t kMostAmong = 16;                         // values of two numbers that belong together
 constexpr size_t kMostWhile = 24;                         // bits of one version, while which a relation is looked for
-constexpr uint8_t kLowBits = 4;                           // of a field, of which each is looked at alone
+constexpr size_t kMostWhileTwo = 60;                      // pairs of numbers of which it is, while two bits are so
+constexpr size_t kLeastStatesWhileTwo = 12;               // or it says nothing that one more state does not break
 constexpr size_t kMostRelations = 200, kMostSeldom = 60;  // those that exclude one of four values of two bits
 
-using States = std::vector<std::vector<uint64_t>>;  // by number
-
-/// What is in no equal pair, and its version alone writes.
-class OpenCells {
- public:
-  explicit OpenCells(Comparison& comparison) : comparison_(comparison) {
-    Add(Which::kOld, comparison.one_sided.old_only);
-    Add(Which::kNew, comparison.one_sided.new_only);
-    for (const PairResult& result : comparison.results) {
-      if (comparison.pairing.IsEqual(result.old_cell)) continue;
-      Add(Which::kOld, {&result.old_cell, 1});
-      Add(Which::kNew, {&result.new_cell, 1});
-    }
-  }
-
-  const std::set<execute::CellId>& of(Which which) const { return cells_[which == Which::kOld ? 0 : 1]; }
-  std::vector<Number> NumbersOf(Which which) const;
-
- private:
-  void Add(Which which, std::span<const execute::CellId> cells) {
-    for (const execute::CellId cell : cells) {
-      if (IsOwn(which, cell)) cells_[which == Which::kOld ? 0 : 1].insert(cell);
-    }
-  }
-  /// What others set, or clear, between two parts, or keep without power, is not the version's own.
-  bool IsOwn(Which which, execute::CellId cell) const {
-    const machine::Version& version = comparison_.pairing.version(which);
-    const machine::Uses& uses = which == Which::kOld ? comparison_.old_uses : comparison_.new_uses;
-    const execute::CellId old_cell = which == Which::kOld ? cell : comparison_.match.old_of_new[cell.index];
-    const bool is_others = machine::WhatControlWrites(version, cell) != execute::ControlWrite::kNothing ||
-                           (machine::MayBeSetByHost(version, cell) && !uses.sets[cell.index]) ||
-                           (old_cell.valid() && comparison_.IsInput(old_cell)) || machine::IsInbox(version, cell) ||
-                           machine::IsRetentive(version, cell);
-    return cell.index < version.cells.calls && machine::IsState(version, cell) && uses.writes[cell.index] && !is_others;
-  }
-
-  Comparison& comparison_;
-  std::array<std::set<execute::CellId>, 2> cells_;
-};
-
-std::vector<Number> OpenCells::NumbersOf(Which which) const {
-  const machine::Version& version = comparison_.pairing.version(which);
-  const std::set<execute::CellId>& open = of(which);
-  std::vector<Number> words, bits;
-  for (const execute::CellId id : open) {
-    const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
-    const uint8_t width = execute::CellWidth(*version.program, cell);
-    if (width > 1) words.push_back({.which = which, .cells = {id}, .width = width});
-    for (uint8_t low = 0; low < std::min(width, kLowBits); ++low)
-      bits.push_back({.which = which, .cells = {id}, .low = low});
-  }
-  std::set<std::vector<execute::CellId>> taken;
-  std::set<execute::CellId> rest;
-  for (const ir::Place& place : version.program->places) {
-    const bool is_word = !place.is_field() && !place.indexed && place.type != ir::Type::kBit &&
-                         place.type <= ir::Type::kI64 && execute::IsInside(*version.program, place);
-    if (!is_word) continue;
-    std::vector<execute::CellId> cells = execute::CellsOf(*version.program, version.cells, place);
-    // The high digits may be equal, which are always 0.
-    const bool is_open = std::ranges::any_of(cells, [&open](execute::CellId cell) { return open.contains(cell); });
-    if (!is_open || !std::ranges::all_of(cells, [&](execute::CellId cell) { return IsOwn(which, cell); })) continue;
-    std::ranges::reverse(cells);
-    if (!taken.insert(cells).second) continue;
-    for (const execute::CellId cell : cells) {
-      if (!open.contains(cell) && rest.insert(cell).second) bits.push_back({.which = which, .cells = {cell}});
-    }
-    const auto width = static_cast<uint8_t>(cells.size());
-    words.push_back({.which = which, .cells = std::move(cells), .width = width});
-  }
-  words.resize(std::min(words.size(), kMostNumbers / 2));
-  bits.resize(std::min(bits.size(), kMostNumbers - words.size()));
-  std::ranges::move(bits, std::back_inserter(words));
-  return words;
-}
+using States = std::bitset<kMostStates>;
 
 /// What a number was in each state.
 struct Seen {
@@ -125,27 +52,59 @@ class Observed {
 
  private:
   void AddNumbers();
+  std::optional<Seen> SeenOf(Number number);
   void AddState();
   /// From where it is.
   void RunOn(terms::Random& random, uint64_t one_in, size_t periods);
+
+  /// A bit with a value, and the states in which it has that.
+  struct StatesWhile {
+    Relation::While bit;
+    std::vector<uint32_t> states;
+  };
+  std::vector<StatesWhile> Whiles(const std::vector<uint32_t>& all) const;
+  struct Line {
+    uint64_t factor = 1, constant = 0;
+    size_t count = 0;
+  };
+  std::vector<Line> LinesOf(const Seen& a, const Seen& b) const;
+  void AddWhileTwo(const std::vector<StatesWhile>& whiles, const Seen& a, const Seen& b,
+                   std::vector<Relation>& relations) const;
 
   void MarkSame();
   static bool Holds(const std::vector<uint32_t>& states, const Seen& a, const Seen& b, uint64_t factor,
                     uint64_t constant);
   static std::optional<Relation> LinearOf(const std::vector<uint32_t>& states, const Seen& a, const Seen& b);
+  static std::optional<Relation> SumOf(const std::vector<uint32_t>& states, const Seen& a, const Seen& b,
+                                       const Seen& c);
+  void AddSums(const std::vector<uint32_t>& states, const std::vector<Seen>& ones, const std::vector<Seen>& others,
+               std::vector<Relation>& relations) const;
   static std::optional<Relation> AmongOf(const std::vector<uint32_t>& states, const Seen& a, const Seen& b);
   static void AddComparisons(const std::vector<uint32_t>& states, const Seen& bit, const Seen& number,
                              std::vector<Relation>& relations);
 
   Comparison& comparison_;
   JointRun run_;
-  std::vector<Seen> old_, new_;
-  std::unordered_set<uint64_t> kept_;  // hashes of states
+  std::vector<Seen> old_, new_, equal_;  // equal_: bits
+  std::unordered_set<uint64_t> kept_;    // hashes of states
   uint32_t states_ = 0;
 };
 
+std::optional<Seen> Observed::SeenOf(Number number) {
+  Seen seen{.number = std::move(number), .parts = {}, .values = {}, .different = {}};
+  for (const execute::CellId cell : seen.number.cells) {
+    const std::optional<VariablePart> part = run_.PartOf(seen.number.which, cell);
+    if (!part) return std::nullopt;
+    seen.parts.push_back(*part);
+  }
+  return seen;
+}
+
 void Observed::AddNumbers() {
   const OpenCells open(comparison_);
+  for (Number& bit : open.EqualBits()) {
+    if (std::optional<Seen> seen = SeenOf(std::move(bit))) equal_.push_back(std::move(*seen));
+  }
   for (const Which which : {Which::kOld, Which::kNew}) {
     for (Number& number : open.NumbersOf(which)) {
       // The high digits of a small number are always 0.
@@ -156,13 +115,8 @@ void Observed::AddNumbers() {
         number.cells.erase(number.cells.begin());
         --number.width;
       }
-      Seen seen{.number = std::move(number), .parts = {}, .values = {}, .different = {}};
-      for (const execute::CellId cell : seen.number.cells) {
-        const std::optional<VariablePart> part = run_.PartOf(which, cell);
-        if (part) seen.parts.push_back(*part);
-      }
-      if (seen.parts.size() == seen.number.cells.size())
-        (which == Which::kOld ? old_ : new_).push_back(std::move(seen));
+      if (std::optional<Seen> seen = SeenOf(std::move(number)))
+        (which == Which::kOld ? old_ : new_).push_back(std::move(*seen));
     }
   }
 }
@@ -170,7 +124,7 @@ void Observed::AddNumbers() {
 void Observed::AddState() {
   if (states_ >= kMostStates) return;
   uint64_t hash = 0;
-  for (std::vector<Seen>* const side : {&old_, &new_}) {
+  for (std::vector<Seen>* const side : {&old_, &new_, &equal_}) {
     for (Seen& seen : *side) {
       uint64_t value = 0;
       for (const VariablePart& part : seen.parts) value = value << part.width | run_.ValueOf(part);
@@ -183,7 +137,7 @@ void Observed::AddState() {
     ++states_;
     return;
   }
-  for (std::vector<Seen>* const side : {&old_, &new_})
+  for (std::vector<Seen>* const side : {&old_, &new_, &equal_})
     for (Seen& seen : *side) seen.values.pop_back();
 }
 
@@ -231,7 +185,7 @@ bool Observed::Run() {
           RunOn(random, 8, kPeriodsFromSeen);
         });
   }
-  for (std::vector<Seen>* const side : {&old_, &new_}) {
+  for (std::vector<Seen>* const side : {&old_, &new_, &equal_}) {
     for (Seen& seen : *side) {
       for (const uint64_t value : seen.values) {
         seen.different.insert(value);
@@ -283,8 +237,35 @@ std::optional<Relation> Observed::LinearOf(const std::vector<uint32_t>& states, 
                   .other = b.number,
                   .factor = factor,
                   .constant = constant,
-                  .values = {},
-                  .while_bit = {}};
+                  .values = {}};
+}
+
+/// a = b + c + constant, where neither b nor c stays what it is.
+std::optional<Relation> Observed::SumOf(const std::vector<uint32_t>& states, const Seen& a, const Seen& b,
+                                        const Seen& c) {
+  if (states.empty()) return std::nullopt;
+  const uint64_t mask = support::LowBits(a.number.width);
+  const auto rest = [&](uint32_t state) { return (a.values[state] - b.values[state] - c.values[state]) & mask; };
+  const uint64_t constant = rest(states.front());
+  if (!std::ranges::all_of(states, [&](uint32_t state) { return rest(state) == constant; })) return std::nullopt;
+  return Relation{.kind = Relation::Kind::kSum,
+                  .number = a.number,
+                  .other = b.number,
+                  .third = c.number,
+                  .constant = constant,
+                  .values = {}};
+}
+
+void Observed::AddSums(const std::vector<uint32_t>& states, const std::vector<Seen>& ones,
+                       const std::vector<Seen>& others, std::vector<Relation>& relations) const {
+  for (const Seen& a : ones) {
+    for (size_t b = 0; a.number.width > 1 && b < others.size() && !comparison_.Late(); ++b) {
+      for (size_t c = b + 1; c < others.size(); ++c) {
+        if (others[b].number.width == 1 || others[c].number.width == 1) continue;
+        if (std::optional<Relation> sum = SumOf(states, a, others[b], others[c])) relations.push_back(std::move(*sum));
+      }
+    }
+  }
 }
 
 /// Where each value of one has its own of the other one.
@@ -301,11 +282,8 @@ std::optional<Relation> Observed::AmongOf(const std::vector<uint32_t>& states, c
   }
   const bool says_something = seen.size() < firsts.size() * seconds.size();
   if (!says_something || firsts.size() < 2 || seconds.size() < 2) return std::nullopt;
-  return Relation{.kind = Relation::Kind::kAmong,
-                  .number = a.number,
-                  .other = b.number,
-                  .values = {seen.begin(), seen.end()},
-                  .while_bit = {}};
+  return Relation{
+      .kind = Relation::Kind::kAmong, .number = a.number, .other = b.number, .values = {seen.begin(), seen.end()}};
 }
 
 void Observed::AddComparisons(const std::vector<uint32_t>& states, const Seen& bit, const Seen& number,
@@ -327,8 +305,7 @@ void Observed::AddComparisons(const std::vector<uint32_t>& states, const Seen& b
                          .other = number.number,
                          .constant = constant,
                          .is_inverted = is_inverted,
-                         .values = {},
-                         .while_bit = {}});
+                         .values = {}});
   };
   for (const size_t set : {size_t{1}, size_t{0}}) {
     const size_t clear = 1 - set;
@@ -345,29 +322,90 @@ void Observed::AddComparisons(const std::vector<uint32_t>& states, const Seen& b
   }
 }
 
-std::vector<Relation> Observed::Relations(bool with_same) const {
-  std::vector<uint32_t> all(states_);
-  for (uint32_t i = 0; i < states_; ++i) all[i] = i;
-  // Whose states, and which relation is said of them.
-  struct While {
-    const Seen* bit = nullptr;
-    bool set = false;
-    std::vector<uint32_t> states;
-  };
-  std::vector<While> whiles;
-  for (const std::vector<Seen>* const side : {&old_, &new_}) {
+std::vector<Observed::StatesWhile> Observed::Whiles(const std::vector<uint32_t>& all) const {
+  std::vector<StatesWhile> whiles;
+  for (const std::vector<Seen>* const side : {&old_, &new_, &equal_}) {
     size_t count = 0;
     for (const Seen& seen : *side) {
-      if (seen.number.width != 1 || seen.number.low != 0 || ++count > kMostWhile) continue;
-      for (const bool set : {true, false}) {
-        While one{.bit = &seen, .set = set, .states = {}};
+      if (seen.number.width != 1 || seen.number.low != 0) continue;
+      if (side != &equal_ && ++count > kMostWhile) continue;
+      for (const bool is_set : {true, false}) {
+        StatesWhile one{.bit = {.bit = seen.number, .is_set = is_set}, .states = {}};
         std::ranges::copy_if(all, std::back_inserter(one.states),
-                             [&](uint32_t state) { return (seen.values[state] != 0) == set; });
+                             [&](uint32_t state) { return (seen.values[state] != 0) == is_set; });
         whiles.push_back(std::move(one));
       }
     }
   }
-  std::vector<Relation> always, sometimes, seldom;
+  return whiles;
+}
+
+/// The lines a = factor * b + constant that most states beside each other are on.
+std::vector<Observed::Line> Observed::LinesOf(const Seen& a, const Seen& b) const {
+  constexpr size_t kMostLines = 3;
+  const uint64_t mask = support::LowBits(a.number.width);
+  std::map<std::pair<uint64_t, uint64_t>, size_t> counts;  // by factor and constant
+  for (uint32_t state = 0; state + 1 < states_; ++state) {
+    const auto change = [&](const Seen& seen) {
+      return static_cast<int64_t>(seen.values[state + 1]) - static_cast<int64_t>(seen.values[state]);
+    };
+    const int64_t by_a = change(a), by_b = change(b);
+    if (by_a == 0 || by_b == 0 || by_a % by_b != 0) continue;
+    const auto factor = static_cast<uint64_t>(by_a / by_b);
+    ++counts[{factor, (a.values[state] - (b.values[state] & mask) * factor) & mask}];
+  }
+  std::vector<Line> lines;
+  for (const auto& [line, count] : counts)
+    lines.push_back({.factor = line.first, .constant = line.second, .count = count});
+  std::ranges::stable_sort(lines, std::greater<>(), &Line::count);
+  lines.resize(std::min(lines.size(), kMostLines));
+  return lines;
+}
+
+/// Of each line the two bits while which most states are on it, where these are more than while one bit is so.
+void Observed::AddWhileTwo(const std::vector<StatesWhile>& whiles, const Seen& a, const Seen& b,
+                           std::vector<Relation>& relations) const {
+  const uint64_t mask = support::LowBits(a.number.width);
+  for (const Line& line : LinesOf(a, b)) {
+    States of_line;
+    for (uint32_t state = 0; state < states_; ++state) {
+      of_line[state] = a.values[state] == ((b.values[state] & mask) * line.factor + line.constant & mask);
+    }
+    std::vector<States> states;
+    size_t most = kLeastStatesWhileTwo;
+    for (const StatesWhile& one : whiles) {
+      States& of_one = states.emplace_back();
+      for (const uint32_t state : one.states) of_one[state] = true;
+      if ((of_one & ~of_line).none()) most = std::max(most, of_one.count());
+    }
+    std::optional<std::pair<size_t, size_t>> best;
+    for (size_t one = 0; one < whiles.size() && !comparison_.Late(); ++one) {
+      const States off_line = states[one] & ~of_line;
+      for (size_t other = one + 1; other < whiles.size(); ++other) {
+        if (whiles[one].bit.bit == whiles[other].bit.bit || (off_line & states[other]).any()) continue;
+        const size_t count = (states[one] & states[other]).count();
+        if (count <= most) continue;
+        most = count;
+        best = std::pair(one, other);
+      }
+    }
+    if (!best) continue;
+    relations.push_back({.kind = Relation::Kind::kLinear,
+                         .number = a.number,
+                         .other = b.number,
+                         .factor = line.factor,
+                         .constant = line.constant,
+                         .values = {},
+                         .whiles = {whiles[best->first].bit, whiles[best->second].bit}});
+  }
+}
+
+std::vector<Relation> Observed::Relations(bool with_same) const {
+  std::vector<uint32_t> all(states_);
+  for (uint32_t i = 0; i < states_; ++i) all[i] = i;
+  const std::vector<StatesWhile> whiles = Whiles(all);
+  size_t looked_at_two = 0;
+  std::vector<Relation> always, while_two, sometimes, seldom;
   for (const Seen& a : old_) {
     for (const Seen& b : new_) {
       if (comparison_.Late()) return {};
@@ -388,16 +426,21 @@ std::vector<Relation> Observed::Relations(bool with_same) const {
         always.push_back(std::move(*linear));
         continue;
       }
-      for (const While& one : whiles) {
+      for (const StatesWhile& one : whiles) {
         linear = LinearOf(one.states, a, b);
         if (!linear) linear = LinearOf(one.states, b, a);
         if (!linear) continue;
-        linear->while_bit = one.bit->number;
-        linear->while_set = one.set;
+        linear->whiles = {one.bit};
         sometimes.push_back(std::move(*linear));
       }
+      if (++looked_at_two > kMostWhileTwo) continue;
+      AddWhileTwo(whiles, a, b, while_two);
+      AddWhileTwo(whiles, b, a, while_two);
     }
   }
+  AddSums(all, old_, new_, always);
+  AddSums(all, new_, old_, always);
+  std::ranges::move(while_two, std::back_inserter(always));
   std::ranges::move(sometimes, std::back_inserter(always));
   seldom.resize(std::min(seldom.size(), kMostSeldom));
   std::ranges::move(seldom, std::back_inserter(always));
