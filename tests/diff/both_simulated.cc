@@ -80,6 +80,11 @@ class Machine {
     return {};
   }
 
+  /// Some controls keep memory without power only where the program has asked for it.
+  void AskToKeep() {
+    const ir::PlaceId asked = program_.schedule.retain_at_power_off;
+    if (asked.valid()) Set(program_.places[asked], 1);
+  }
   void PowerCycle() {
     control_.PowerOff();
     clock_.PowerCycle();
@@ -184,6 +189,7 @@ struct Compared {
 struct Locations {
   std::vector<Compared> equal, inputs;
   std::vector<Compared> requests;  // what the control takes back when it likes
+  std::vector<Compared> kept;      // what may be anything when power comes for the first time
   std::set<std::string> equal_calls;
 };
 
@@ -235,6 +241,8 @@ Locations LocationsOf(const DiffSide& old_side, const DiffSide& new_side, const 
     const std::optional<ir::Place> old_place = PlaceOf(old_version, old_cell),
                                    new_place = PlaceOf(new_version, new_cell);
     if (!old_place || !new_place) continue;
+    if (prove::diff::MayBeKept(old_version, new_version, match, old_cell))
+      locations.kept.push_back({name, *old_place, *new_place});
     if (prove::diff::IsInputPair(old_version, new_version, old_uses, new_uses, match, old_cell)) {
       locations.inputs.push_back({name, *old_place, *new_place});
     }
@@ -282,6 +290,17 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
     }
     old_machine.Watch(std::move(old_places));
     new_machine.Watch(std::move(new_places));
+    if (!locations.kept.empty() && run % 4 == 3) {
+      for (const Compared& kept : locations.kept) {
+        const uint64_t value = random.OneIn(3) ? 1 : 0;
+        old_machine.Set(kept.old_place, value);
+        new_machine.Set(kept.new_place, value);
+      }
+      for (Machine* machine : {&old_machine, &new_machine}) {
+        machine->AskToKeep();
+        machine->PowerCycle();
+      }
+    }
     const uint64_t one_in = uint64_t{1} << (random.Next() % 6), ones = 1 + random.Next() % 3;
     // Of a short period that is many.
     const uint64_t most_waited_ms = std::max<uint64_t>(8'000, uint64_t{1'000} * schedule.period_ms);

@@ -70,7 +70,8 @@ std::vector<HandPair> ReadPairs(const std::string& dialect, const std::string& e
     } else if (word == "pair") {
       pairs.push_back({.dialect = dialect, .name = rest});
       text = nullptr;
-    } else if (word == "equal" || word == "differs" || word == "open" || word == "spares" || word == "names") {
+    } else if (word == "equal" || word == "differs" || word == "open" || word == "spares" || word == "proves" ||
+               word == "names") {
       pairs.back().expected.emplace_back(word, rest);
     } else if (word == "whole") {
       pairs.back().is_whole = true;
@@ -148,7 +149,7 @@ void Judge(const HandPair& pair, SimulatedRuns attack) {
   const auto lacks_verdict = [&diff](const auto& expected) {
     const auto at = std::ranges::find(diff.items, expected.second, &DiffItem::name);
     return (expected.first == "differs" && (at == diff.items.end() || !IsShown(*at))) ||
-           (expected.first == "equal" && !diff.items.empty());
+           (expected.first == "proves" && at != diff.items.end()) || (expected.first == "equal" && !diff.items.empty());
   };
   for (const uint64_t time_ms : {2'000, 10'000, 60'000}) {
     options.time_ms = time_ms;
@@ -168,6 +169,9 @@ void Judge(const HandPair& pair, SimulatedRuns attack) {
     }
     if (word == "open") {
       EXPECT_TRUE(is_listed) << name << ": " << Told(diff);
+    }
+    if (word == "proves") {
+      EXPECT_FALSE(is_listed) << name << ": " << Told(diff);
     }
     if (word == "spares") {
       EXPECT_FALSE(differs) << name << ": " << Told(diff);

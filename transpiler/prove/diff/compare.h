@@ -48,10 +48,12 @@ struct SetCell {
   bool operator==(const SetCell&) const = default;
 };
 
-/// What is set before each period; after the last one the pair differs. It begins with power-on and all memory 0, or
-/// `from_state`: then the first period sets a part of the state, too, and nothing is known of how to come there.
+/// What is set before each period; after the last one the pair differs. It begins with power-on and all memory 0 but
+/// what is in `kept`, or `from_state`: then the first period sets a part of the state, too, and nothing is known of how
+/// to come there.
 struct Run {
   std::vector<std::vector<SetCell>> periods;
+  std::vector<SetCell> kept = {};  // memory that is kept without power, when power comes for the first time
   bool from_state = false;
 };
 

@@ -328,6 +328,14 @@ void ShareLoops(machine::Version& old_version, machine::Version& new_version) {
   }
 }
 
+bool MayBeKept(const machine::Version& old_version, const machine::Version& new_version, const Match& match,
+               execute::CellId old_cell) {
+  if (!old_cell.valid() || match.starts_otherwise[old_cell.index]) return false;
+  const execute::CellId new_cell = match.new_of_old[old_cell.index];
+  return new_cell.valid() && old_version.program->schedule.retention && new_version.program->schedule.retention &&
+         machine::IsRetentive(old_version, old_cell) && machine::IsRetentive(new_version, new_cell);
+}
+
 std::vector<execute::CellId> MatchedRequests(const machine::Version& old_version, const machine::Version& new_version,
                                              const Match& match) {
   const std::vector<bool> old_cells = machine::RequestCells(old_version),

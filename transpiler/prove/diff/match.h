@@ -38,6 +38,11 @@ bool IsInputPair(const machine::Version& old_version, const machine::Version& ne
                  const machine::Uses& old_uses, const machine::Uses& new_uses, const Match& match,
                  execute::CellId old_cell);
 
+/// Whether both versions keep the cell without power, so that they may find anything there when power comes for the
+/// first time: what an earlier program has left.
+bool MayBeKept(const machine::Version& old_version, const machine::Version& new_version, const Match& match,
+               execute::CellId old_cell);
+
 /// Old cells that the program sets and the control takes back (machine/requests.h) in both versions.
 std::vector<execute::CellId> MatchedRequests(const machine::Version& old_version, const machine::Version& new_version,
                                              const Match& match);

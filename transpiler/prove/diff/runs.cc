@@ -80,11 +80,17 @@ void TryRandomInputs(Comparison& comparison, const Unrolled& state, const std::v
   }
 }
 
-}  // namespace
+/// Whether a version reads memory that may be anything when power comes for the first time.
+bool ReadsKept(const Comparison& comparison) {
+  return std::ranges::any_of(comparison.results, [&comparison](const PairResult& result) {
+    return MayBeKept(comparison.old_version, comparison.new_version, comparison.match, result.old_cell) &&
+           (comparison.old_uses.reads[result.old_cell.index] || comparison.new_uses.reads[result.new_cell.index]);
+  });
+}
 
-void SearchRuns(Comparison& comparison) {
-  const auto is_shown = [](const PairResult& result) {
-    return result.verdict == PairVerdict::kDifferent && !result.run.has_value();
+void SearchRunsWith(Comparison& comparison, Kept kept) {
+  const auto is_shown = [kept](const PairResult& result) {
+    return kept == Kept::kNothing && result.verdict == PairVerdict::kDifferent && !result.run.has_value();
   };
   const bool any_shown = std::ranges::any_of(comparison.results, is_shown);
   if ((comparison.UndecidedCount() == 0 && !any_shown) || comparison.Late()) return;
@@ -101,7 +107,7 @@ void SearchRuns(Comparison& comparison) {
                   .new_uses = comparison.new_uses,
                   .requests = comparison.requests},
                  InputsChange::kEachPeriod);
-  state.PowerOn();
+  state.PowerOn(kept);
   for (uint32_t period = 1; period <= comparison.limits.most_periods && comparison.RestMs() > end_ms; ++period) {
     comparison.Report("runs of " + std::to_string(period) + (period == 1 ? " period" : " periods"));
     if (!state.Advance([&comparison] { return comparison.Late(); })) return;
@@ -132,6 +138,13 @@ void SearchRuns(Comparison& comparison) {
       pair.result->run = state.RunOf(reasons, values);
     }
   }
+}
+
+}  // namespace
+
+void SearchRuns(Comparison& comparison) {
+  SearchRunsWith(comparison, Kept::kNothing);
+  if (ReadsKept(comparison)) SearchRunsWith(comparison, Kept::kAnything);
 }
 
 namespace {

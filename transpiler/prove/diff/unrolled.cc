@@ -14,13 +14,36 @@ bool Unrolled::IsInput(execute::CellId old_cell) const {
                      versions_.match, old_cell);
 }
 
-void Unrolled::PowerOn() {
-  const machine::PartEnvironment environment{.initial = [this](execute::CellId) { return terms_.Const(0, 64); },
-                                             .now = terms_.Const(0, 32),
-                                             .answers = machine::HostAnswers::kNothing,
-                                             .observed = {}};
-  old_state_ = machine::RunInit(terms_, versions_.old_version, environment).next;
-  new_state_ = machine::RunInit(terms_, versions_.new_version, environment).next;
+terms::TermId Unrolled::KeptIn(Which which, execute::CellId cell) {
+  const bool is_old = which == Which::kOld;
+  const machine::Version& version = is_old ? versions_.old_version : versions_.new_version;
+  const execute::CellId old_cell = is_old ? cell : versions_.match.old_of_new[cell.index];
+  if (!MayBeKept(versions_.old_version, versions_.new_version, versions_.match, old_cell)) {
+    const execute::Cell at = execute::CellAt(*version.program, version.cells, cell);
+    return terms_.Bit(machine::PowerOnBit(version.program->spaces[at.space], at.offset, at.bit));
+  }
+  const auto [at, added] = kept_.try_emplace(old_cell.index);
+  if (!added) return at->second;
+  const execute::Cell of_old = execute::CellAt(*versions_.old_version.program, versions_.old_version.cells, old_cell);
+  at->second = terms_.Variable("kept " + execute::CellName(*versions_.old_version.program, of_old), 1);
+  return at->second;
+}
+
+void Unrolled::PowerOn(Kept kept) {
+  for (const Which which : {Which::kOld, Which::kNew}) {
+    const machine::Version& version = which == Which::kOld ? versions_.old_version : versions_.new_version;
+    const machine::PartEnvironment environment{.initial =
+                                                   [&](execute::CellId cell) {
+                                                     const bool is_kept =
+                                                         kept == Kept::kAnything && machine::IsRetentive(version, cell);
+                                                     return is_kept ? KeptIn(which, cell) : terms_.Const(0, 64);
+                                                   },
+                                               .now = terms_.Const(0, 32),
+                                               .answers = machine::HostAnswers::kNothing,
+                                               .has_copy = kept == Kept::kAnything,
+                                               .observed = {}};
+    (which == Which::kOld ? old_state_ : new_state_) = machine::RunInit(terms_, version, environment).next;
+  }
   level_at_begin_ = [this](uint32_t old_cell) {
     const machine::Version& version = versions_.old_version;
     const execute::Cell cell = execute::CellAt(*version.program, version.cells, execute::CellId(old_cell));
@@ -142,6 +165,13 @@ Run Unrolled::RunOf(const std::vector<terms::Reason>& reasons, const std::vector
   for (const terms::Reason& reason : reasons) needed[reason.term.index] = values[reason.term.index];
   std::map<uint32_t, uint64_t> level;
   Run run;
+  for (const auto& [old_cell, variable] : kept_) {
+    const auto found = needed.find(variable.index);
+    if (found == needed.end() || found->second == 0) continue;
+    run.kept.push_back({.old_cell = execute::CellId(old_cell),
+                        .new_cell = versions_.match.new_of_old[old_cell],
+                        .value = found->second});
+  }
   for (const Inputs& inputs : inputs_) {
     run.periods.emplace_back();
     const auto set = [&](uint32_t old_cell, uint64_t value) {

@@ -20,6 +20,8 @@ namespace plcxx::prove::diff {
 
 /// When inputs may change: before each period, or before the first one alone.
 enum class InputsChange : uint8_t { kEachPeriod, kOnce };
+/// What is in memory that is kept without power when it comes for the first time.
+enum class Kept : uint8_t { kNothing, kAnything };
 
 struct UnrolledVersions {
   const machine::Version& old_version;
@@ -35,7 +37,7 @@ class Unrolled {
   /// What the versions are made of outlives the object.
   Unrolled(terms::Terms& terms, UnrolledVersions versions, InputsChange inputs_change);
 
-  void PowerOn();
+  void PowerOn(Kept kept = Kept::kNothing);
   /// `value`: of each cell of one version when `now_ms` have passed.
   void BeginAt(const std::function<uint64_t(Which, execute::CellId)>& value, uint64_t now_ms);
   /// As `run: {ms: ...}` of one period does it: the fast parts that are due, then the period. false: it cannot be
@@ -61,6 +63,8 @@ class Unrolled {
   bool IsWritten(execute::CellId old_cell) const;
   bool MayBeSet(execute::CellId old_cell) const;
   terms::TermId InputOf(uint32_t old_cell);
+  /// What both versions find in a cell when power comes: anything, and the same. None: it is not of both.
+  terms::TermId KeptIn(Which which, execute::CellId cell);
   /// One part of one version; what it changed, or nullopt when it cannot be executed.
   std::optional<bool> AdvancePart(Which which, machine::Part part, uint64_t now_ms,
                                   const std::function<bool()>& is_late);
@@ -71,6 +75,7 @@ class Unrolled {
   InputsChange inputs_change_;
   std::vector<terms::TermId> old_state_, new_state_;  // by cell
   std::vector<Inputs> inputs_;                        // by period
+  std::map<uint32_t, terms::TermId> kept_;            // by old cell: what is kept there without power
   std::unordered_map<uint32_t, uint32_t> cell_of_;    // by variable; looked up only
   std::function<uint64_t(uint32_t old_cell)> level_at_begin_;
   uint64_t begin_ms_ = 0;

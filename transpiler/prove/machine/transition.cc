@@ -79,6 +79,7 @@ Transition RunRoutine(terms::Terms& terms, const Version& version, ir::RoutineId
                                  .is_cut = environment.is_cut,
                                  .now = environment.now,
                                  .stored = stored,
+                                 .has_copy = environment.has_copy,
                                  .notes = seen.notes(),
                                  .host_answers = environment.answers == HostAnswers::kAny,
                                  .summarize_after = 16,

@@ -35,7 +35,8 @@ struct PartEnvironment {
   std::function<terms::TermId(execute::CellId)> initial;
   terms::TermId now;
   HostAnswers answers = HostAnswers::kAny;
-  std::vector<execute::CellId> observed;                                   // bits of Transition::seen
+  bool has_copy = false;                  // of retentive memory, whatever the host answers
+  std::vector<execute::CellId> observed;  // bits of Transition::seen
   std::function<execute::Environment::HostBit(execute::CellId)> host_bit;  // see Environment; may be empty
   std::function<bool(execute::CellId)> may_be_left;                        // see Environment; may be empty
   std::function<terms::TermId(execute::CellId, terms::TermId)> cut;        // see Environment; may be empty

@@ -110,8 +110,8 @@ constexpr int kMostExamples = 60;
 constexpr size_t kMostChangesShown = 50;  // statements of which the line is sought that was changed
 constexpr uint64_t kExampleShare = 10;    // of the time: for shorter runs
 constexpr uint64_t kLastShare = 6;        // of the time: left for that, and for showing them
-constexpr uint64_t kScenariosShare = 5, kQuickSearchShare = 40, kQuickWideShare = 10,
-                   kSearchShare = 6;  // of the time: for runs
+constexpr uint64_t kScenariosShare = 5, kQuickSearchShare = 40, kQuickWideShare = 10, kSearchShare = 6,
+                   kKeptShare = 60;   // of the time: for runs
 constexpr uint64_t kSlicesShare = 6;  // of the time, where the slow part is in slices: for what is seen between them
 
 bool IsSliced(const ir::Program& program) {
@@ -323,6 +323,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
         take_turn(Way::kWide, part(is_many() ? 2 * kSearchShare : kSearchShare));
         take_turn(Way::kAtWork, part(is_many() ? 2 * kSearchShare : kSearchShare));
         search->RunCounts(open(), part(counts_share()), runs);
+        if (!open().empty() && !is_many()) search->BeginWithKept(part(kKeptShare), runs);
         run_both(open(), compare_end);
         break;
       case Effort::kLasting: {
@@ -333,6 +334,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
           take_turn(turns.Next(), lasting_end);
           break;
         }
+        if (!open().empty()) search->BeginWithKept(part(kKeptShare), runs);
         const auto counts_ms = std::chrono::milliseconds(most_ms / (counts_share() / kSearchShare * 3));
         search->RunCounts(open(), std::min(compare_end, Clock::now() + counts_ms), runs);
         // By turns: many runs at once, what begins with a machine at work, and what waits long or counts from power-on.

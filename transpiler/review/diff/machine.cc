@@ -82,6 +82,10 @@ void DiffMachine::SetCell(execute::CellId id, uint64_t value) {
       place.bit = cell.bit;
       break;
   }
+  SetPlace(place, value);
+}
+
+void DiffMachine::SetPlace(const ir::Place& place, uint64_t value) {
   dialects::Location location;
   location.place = place;
   control_.Set(location, value);
@@ -118,6 +122,12 @@ bool DiffMachine::Apply(const Stimulus& stimulus, execute::CellId prove::diff::S
     }
   }
   if (stimulus.power_cycle) {
+    for (const prove::diff::SetCell& kept : stimulus.kept) {
+      if ((kept.*cell).valid()) SetCell(kept.*cell, kept.value);
+    }
+    // Some controls keep the memory only when the program has asked for it.
+    const ir::PlaceId asked = program_.schedule.retain_at_power_off;
+    if (!stimulus.kept.empty() && asked.valid()) SetPlace(program_.places[asked], 1);
     control_.PowerOff();
     clock_.PowerCycle();
     control_.PowerOn();

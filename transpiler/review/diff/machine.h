@@ -61,6 +61,7 @@ class DiffMachine {
   const ir::NameIndex& names() const { return names_; }
 
  private:
+  void SetPlace(const ir::Place& place, uint64_t value);
   bool Advance(const Stimulus& stimulus);
 
   const DiffSide& side_;

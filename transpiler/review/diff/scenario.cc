@@ -165,11 +165,13 @@ struct Candidate {
 /// The run without what no scenario has a name for.
 Stimuli Nameable(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
                  Stimuli stimuli) {
+  const auto has_no_name = [&](const prove::diff::SetCell& input) {
+    const CellWord word = WordOfBoth(request, input.old_cell);
+    return HasNoName(word) || !IsKnownToOld(old_side, request, ScenarioName(old_side, new_side, request, word));
+  };
   for (Stimulus& stimulus : stimuli) {
-    std::erase_if(stimulus.inputs, [&](const prove::diff::SetCell& input) {
-      const CellWord word = WordOfBoth(request, input.old_cell);
-      return HasNoName(word) || !IsKnownToOld(old_side, request, ScenarioName(old_side, new_side, request, word));
-    });
+    std::erase_if(stimulus.inputs, has_no_name);
+    std::erase_if(stimulus.kept, has_no_name);
     stimulus.repeated = Nameable(old_side, new_side, request, std::move(stimulus.repeated));
   }
   return stimuli;
@@ -181,7 +183,7 @@ std::vector<Candidate> Candidates(const DiffSide& old_side, const DiffSide& new_
   std::vector<Candidate> candidates;
   if (request.run) {
     // An arbitrary state is set before the first period; later inputs stay.
-    Stimuli by_pass, by_time;
+    Stimuli by_pass = PowerOnWith(request.run->kept), by_time = by_pass;
     for (const std::vector<prove::diff::SetCell>& inputs : request.run->periods) {
       by_pass.push_back({.inputs = inputs, .words = {}, .slow = 1});
       by_time.push_back({.inputs = inputs, .words = {}, .ms = PeriodMs(old_side)});
@@ -249,6 +251,21 @@ SeenDifference FindSeen(const CounterexampleRequest& request, const Ends& ends) 
   return seen;
 }
 
+/// Of a stimulus that power fails, and what is kept meanwhile.
+Stimulus PowerOf(const Stimulus& stimulus) {
+  return {.inputs = {}, .words = {}, .power_cycle = true, .kept = stimulus.kept};
+}
+
+/// Some controls keep the memory only when the program has asked for it.
+void AddRequestToKeep(const DiffSide& old_side, const CounterexampleRequest& request, Sets& kept) {
+  const ir::Program& program = old_side.compilation.program;
+  const ir::PlaceId asked = program.schedule.retain_at_power_off;
+  if (!asked.valid()) return;
+  const std::vector<CellId> cells =
+      execute::CellsOf(*request.old_version.program, request.old_version.cells, program.places[asked]);
+  kept.emplace_back(request.old_words.WordOf(cells.front()).name, "1");
+}
+
 /// None: the run sets what a scenario has no name for. `machine`: the old version where the run begins.
 std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_side,
                                   const CounterexampleRequest& request, const Stimuli& stimuli, DiffMachine& machine) {
@@ -266,8 +283,12 @@ std::optional<WrittenSteps> Write(const DiffSide& old_side, const DiffSide& new_
     }
     Stimulus after_power = stimulus;
     if (stimulus.power_cycle) {
-      machine.Apply({.inputs = {}, .words = {}, .power_cycle = true}, &prove::diff::SetCell::old_cell);
+      std::optional<Sets> kept = SetsOf(old_side, new_side, request, stimulus.kept, machine);
+      if (kept && !kept->empty()) AddRequestToKeep(old_side, request, *kept);
+      if (!kept) return std::nullopt;
+      written.AddSets(*kept);
       written.AddPowerCycle();
+      machine.Apply(PowerOf(stimulus), &prove::diff::SetCell::old_cell);
       after_power.power_cycle = false;
     }
     std::optional<Sets> sets = SetsOf(old_side, new_side, request, stimulus.inputs, machine);
@@ -359,7 +380,11 @@ std::shared_ptr<const ShownRun> Show(const DiffSide& old_side, const DiffSide& n
       for (uint32_t i = 0; !stimulus.repeated.empty() && i < stimulus.times; ++i) self(self, stimulus.repeated);
       if (!stimulus.repeated.empty()) continue;
       Stimulus after_power = stimulus;
-      if (std::exchange(after_power.power_cycle, false)) apply({.inputs = {}, .words = {}, .power_cycle = true});
+      if (std::exchange(after_power.power_cycle, false)) {
+        Stimulus power = PowerOf(stimulus);
+        if (set_as == SetAs::kWords) power.kept = WholeWords(request, power.kept, run->ends.old_machine);
+        apply(power);
+      }
       if (set_as == SetAs::kWords && !stimulus.inputs.empty())
         after_power.inputs = WholeWords(request, stimulus.inputs, run->ends.old_machine);
       apply(after_power);

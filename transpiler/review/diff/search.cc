@@ -191,6 +191,7 @@ bool DirectedSearch::Step(const Stimulus& stimulus, RandomRuns& result) {
     piece.inputs.clear();
     piece.words.clear();
     piece.power_cycle = false;
+    piece.kept.clear();
   }
   NoteAdvances();
   const bool has_first = HasFirstValue();
@@ -202,7 +203,7 @@ bool DirectedSearch::Step(const Stimulus& stimulus, RandomRuns& result) {
   return true;
 }
 
-void DirectedSearch::Disturb(const Input& input, Stimulus& stimulus) {
+void DirectedSearch::Disturb(const Input& input, std::vector<SetCell>& sets) {
   uint64_t value = 0;
   for (size_t i = 0; i < input.size() && i < 64; ++i) value |= old_machine_.Seen(input[i].old_cell) << i;
   if (input.size() == 1) {
@@ -227,8 +228,8 @@ void DirectedSearch::Disturb(const Input& input, Stimulus& stimulus) {
     }
   }
   for (size_t i = 0; i < input.size(); ++i) {
-    stimulus.inputs.push_back(input[i]);
-    stimulus.inputs.back().value = i < 64 ? value >> i & 1 : 0;
+    sets.push_back(input[i]);
+    sets.back().value = i < 64 ? value >> i & 1 : 0;
   }
 }
 
@@ -269,7 +270,7 @@ Stimulus DirectedSearch::Unexpected() {
     const std::vector<Input>& from = which < 4 && !near_.empty()     ? near_
                                      : which < 7 && !behind_.empty() ? behind_
                                                                      : inputs_;
-    if (!from.empty()) Disturb(from[random_.Next() % from.size()], stimulus);
+    if (!from.empty()) Disturb(from[random_.Next() % from.size()], stimulus.inputs);
   }
   if (stimulus.slow != 0 || stimulus.fast != 0 || stimulus.ms != 0) return stimulus;
   const bool has_fast = prove::machine::HasFastPart(old_version_) || prove::machine::HasFastPart(new_version_);
@@ -285,6 +286,18 @@ Stimulus DirectedSearch::Unexpected() {
     stimulus.slow = 1 + static_cast<uint32_t>(random_.OneIn(4) ? random_.Next() % 12 : 0);
   }
   return stimulus;
+}
+
+void DirectedSearch::BeginWithKept(Time end, RandomRuns& result) {
+  constexpr int kStarts = 12;
+  EndAt(end);
+  for (int start = 0; start < kStarts && !kept_.empty() && !Late(); ++start) {
+    GoTo(*between_.front());
+    Stimulus power_on{.inputs = {}, .words = {}, .slow = 1, .power_cycle = true};
+    for (uint64_t words = 1 + (random_.Next() >> 20) % 3; words > 0; --words)
+      Disturb(kept_[(random_.Next() >> 20) % kept_.size()], power_on.kept);
+    if (Step(power_on, result)) Keep(Kept::kBetweenSteps);
+  }
 }
 
 void DirectedSearch::RunScenarios(Time end, RandomRuns& result) {
@@ -307,6 +320,7 @@ void DirectedSearch::Follow(const std::vector<prove::diff::Run>& computed, Time 
     // As whole passes, and as time: where the slow part is in slices they are not the same.
     for (const bool by_time : {false, true}) {
       GoTo(*between_.front());
+      for (const Stimulus& power_on : PowerOnWith(computed[followed_].kept)) Step(power_on, result);
       for (const std::vector<SetCell>& inputs : computed[followed_].periods) {
         Stimulus stimulus{.inputs = inputs, .words = {}};
         (by_time ? stimulus.ms : stimulus.slow) = by_time ? old_side_.compilation.program.schedule.period_ms : 1;

@@ -47,6 +47,8 @@ class DirectedSearch {
   /// The same from the moments that are kept: where that was not done yet each input near the change is changed there,
   /// one by one, and held; then several are, of all moments.
   void RunWideFromMoments(const std::vector<execute::CellId>& sought, Time end, RandomRuns& result);
+  /// Runs that begin with something in memory that is kept without power: to be called when others have shown nothing.
+  void BeginWithKept(Time end, RandomRuns& result);
   /// What was seen to advance a number is done again and again, as far as the programs have constants that it may be
   /// compared with: farther at each call.
   void RunCounts(const std::vector<execute::CellId>& sought, Time end, RandomRuns& result);
@@ -98,13 +100,23 @@ class DirectedSearch {
     size_t counter = 0;
     Stimuli run;
   };
+  /// Another number that goes on now and then while one is counted, as one that counts its carries.
+  struct Carried {
+    size_t counter = 0;
+    uint64_t value = 0;
+    uint64_t at = 0, times = 0;  // that it went on: after so many counts the last time
+  };
   /// Steps that advance it each time, and how often that was done.
   struct Counting {
     size_t counter = 0;
     uint64_t advance = 0;
     std::shared_ptr<Moment> at;
     Stimuli cycle;
+    std::shared_ptr<Moment> begin = {};  // of all counts
+    bool is_varied = false;              // and done with other inputs, too
     uint64_t done = 0;
+    uint64_t most = 0;  // that it is worth to be done, by the carries; at least most_counted_
+    std::vector<Carried> carried = {};
     uint32_t stops = 0;  // in a row
     bool is_over = false;
     bool differs = false;       // something does where it is
@@ -154,7 +166,7 @@ class DirectedSearch {
   void Repeat(const prove::diff::Run& run, uint32_t period_ms, RandomRuns& result);
   /// Asks the solver what has to be set at the moment, and does that.
   void Aim(Moment& moment, const std::vector<execute::CellId>& sought, RandomRuns& result);
-  void Disturb(const Input& input, Stimulus& stimulus);
+  void Disturb(const Input& input, std::vector<prove::diff::SetCell>& sets);
   void FindCounters();
   /// Before a step, and what it advanced.
   void LookAtCounters();
@@ -173,8 +185,15 @@ class DirectedSearch {
   void FindCountings(Time end);
   /// What is known to advance a number is begun where something differs already: a limit shows more of it.
   void FindCountingsFromDiffering();
+  /// What was counted to its end is counted once more where one of these inputs is the opposite of what it was: it may
+  /// hide what the count leads to. false: all that is done.
+  bool VaryCountings(const std::vector<Input>& hiding);
+  /// Inputs of one bit that the statements read which write these.
+  std::vector<Input> InputsBeside(const std::vector<execute::CellId>& cells) const;
   /// Of the steps to a constant of the programs those that follow may be anything: the moment is kept.
   void KeepAtConstant(Counter& counter, uint64_t before);
+  /// What counts the carries of a number needs as many counts as the two have together.
+  void NoteCarries(Counting& counting);
   uint64_t ValueIn(const Counter& counter) const { return counter.Value(old_machine_.picture(), counter.at); }
   bool IsFarFromConstants(uint64_t value, uint64_t advance, uint32_t bytes) const;
   /// Many pulses, and one look; false: the number did not go on as it should, and nothing was done.
@@ -192,7 +211,8 @@ class DirectedSearch {
   DiffMachine old_machine_, new_machine_;
   std::vector<Compared> compared_;
   std::vector<execute::CellId> compared_calls_;
-  std::vector<Input> inputs_, behind_, near_;   // all; those after what was changed; those that it reads soon
+  std::vector<Input> inputs_, behind_, near_;  // all; those after what was changed; those that it reads soon
+  std::vector<Input> kept_;  // what the programs write, and keep without power: of it what that is computed from
   std::vector<prove::diff::SetCell> requests_;  // that the control clears
   std::vector<bool> is_settable_;  // by old cell: a scenario may; what one version alone has is nobody else's
   std::vector<execute::CellId> read_by_changed_;

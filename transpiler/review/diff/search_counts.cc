@@ -3,8 +3,10 @@
 #include <array>
 #include <bit>
 #include <iterator>
+#include <utility>
 
 #include "transpiler/prove/diff/runs_from.h"
+#include "transpiler/review/diff/items.h"
 #include "transpiler/review/diff/search.h"
 
 namespace plcxx::review::diff {
@@ -16,8 +18,10 @@ using prove::diff::SetCell;
 constexpr size_t kMostCounters = 256, kMostPulsesOfOne = 6;
 constexpr uint64_t kMostAdvance = 16;          // of a number that is counted, at once
 constexpr uint64_t kMostCounted = 100'000;     // no limit of a machine is farther away
+constexpr uint64_t kMostCarried = 2'000'000;   // counts until something that counts their carries is at its end
 constexpr uint64_t kCountsWithoutLimit = 300;  // where a program names no limit
 constexpr size_t kMostAlone = 8;
+constexpr size_t kMostBeside = 4;                      // inputs
 constexpr size_t kMostCountedFrom = 4;                 // moments at which something differs, each time
 constexpr size_t kMostPassed = 12;                     // constants of one number
 constexpr size_t kLongestPulse = 4, kLongestWay = 16;  // steps; to one advance from the one before
@@ -252,7 +256,7 @@ void DirectedSearch::FindCounting(const Pulse& pulse) {
         if (stimulus.ms == whole || AdvanceBy(cycle, counter, *begin) == advance) break;
       }
     }
-    countings_.push_back({.counter = pulse.counter, .advance = advance, .at = begin, .cycle = cycle});
+    countings_.push_back({.counter = pulse.counter, .advance = advance, .at = begin, .cycle = cycle, .begin = begin});
     return;
   }
 }
@@ -279,6 +283,57 @@ void DirectedSearch::FindCountingsFromDiffering() {
                             .from_differs = true});
     }
   }
+}
+
+std::vector<DirectedSearch::Input> DirectedSearch::InputsBeside(const std::vector<CellId>& cells) const {
+  std::vector<bool> is_wanted(old_version_.cells.count), is_read(old_version_.cells.count);
+  for (const CellId cell : cells) is_wanted[cell.index] = true;
+  const std::vector<StatementAccess> accesses = AccessesOf(old_version_);
+  std::set<ir::StatementId> writers;
+  for (const StatementAccess& access : accesses) {
+    if (!access.writes || !access.statement.valid()) continue;
+    if (std::any_of(is_wanted.begin() + access.begin, is_wanted.begin() + access.end,
+                    [](bool wanted) { return wanted; }))
+      writers.insert(access.statement);
+  }
+  for (const StatementAccess& access : accesses) {
+    if (!access.writes && writers.contains(access.statement))
+      std::fill(is_read.begin() + access.begin, is_read.begin() + access.end, true);
+  }
+  std::vector<Input> beside;
+  for (const Input& input : inputs_) {
+    if (input.size() == 1 && is_read[input.front().old_cell.index] && beside.size() < kMostBeside)
+      beside.push_back(input);
+  }
+  return beside;
+}
+
+bool DirectedSearch::VaryCountings(const std::vector<Input>& hiding) {
+  const size_t known = countings_.size();
+  for (size_t i = 0; i < known && !Late(); ++i) {
+    if (std::exchange(countings_[i].is_varied, true) || !countings_[i].begin ||
+        counters_[countings_[i].counter].rank > 1)
+      continue;
+    for (const Input& input : hiding) {
+      const Counting counting = countings_[i];
+      GoTo(*counting.begin);
+      Stimulus opposite{.inputs = input, .words = {}, .slow = 1};
+      opposite.inputs.front().value = old_machine_.ValueOf(input.front().old_cell) ^ 1;
+      if (!Apply(opposite)) return false;
+      stimuli_.push_back(opposite);
+      ++periods_;
+      const auto begin = std::make_shared<Moment>(Here());
+      if (AdvanceBy(counting.cycle, counters_[counting.counter], *begin) != counting.advance) continue;
+      countings_.push_back({.counter = counting.counter,
+                            .advance = counting.advance,
+                            .at = begin,
+                            .cycle = counting.cycle,
+                            .is_varied = true,
+                            .most = counting.most});
+    }
+    if (countings_.size() > known) return true;
+  }
+  return false;
 }
 
 void DirectedSearch::FindCountings(Time end) {
@@ -320,6 +375,25 @@ void DirectedSearch::KeepAtConstant(Counter& counter, uint64_t before) {
   }
 }
 
+void DirectedSearch::NoteCarries(Counting& counting) {
+  if (counting.carried.empty()) {
+    for (size_t i = 0; i < counters_.size(); ++i) {
+      if (i != counting.counter && counters_[i].rank <= 1)
+        counting.carried.push_back({.counter = i, .value = ValueIn(counters_[i]), .at = counting.done});
+    }
+  }
+  for (Carried& carried : counting.carried) {
+    const Counter& counter = counters_[carried.counter];
+    const uint64_t value = ValueIn(counter), before = std::exchange(carried.value, value);
+    if (value == before || Advance(before, value, counter.bytes) == 0) continue;
+    const uint64_t distance = counting.done - carried.at;
+    carried.at = counting.done;
+    // The first one may have been under way.
+    if (++carried.times < 2 || distance <= 1) continue;
+    counting.most = std::max(counting.most, std::min(kMostCarried, distance * most_counted_));
+  }
+}
+
 bool DirectedSearch::CountAtOnce(Counting& counting, RandomRuns& result) {
   const Counter& counter = counters_[counting.counter];
   const uint64_t before = ValueIn(counter);
@@ -344,6 +418,7 @@ bool DirectedSearch::CountAtOnce(Counting& counting, RandomRuns& result) {
   }
   stimuli_.back().times += kAtOnce;
   counting.done += kAtOnce;
+  NoteCarries(counting);
   CompareCounted(counting, result);
   return true;
 }
@@ -353,7 +428,8 @@ void DirectedSearch::CountOn(Counting& counting, RandomRuns& result) {
   GoTo(*counting.at);
   if (counting.done == 0) stimuli_.push_back({.inputs = {}, .words = {}, .repeated = counting.cycle});
   const size_t begin = stimuli_.size();
-  const uint64_t most = std::min(most_counted_, std::max<uint64_t>(kFirstCounts, 4 * counting.done));
+  const auto most_of_all = [&] { return std::max(counting.most, most_counted_); };
+  const uint64_t most = std::min(most_of_all(), std::max<uint64_t>(kFirstCounts, 4 * counting.done));
   const auto keep = [&] { counting.at = std::make_shared<Moment>(Here()); };
   uint32_t one_by_one = 0;
   while (counting.done < most && counting.stops < kMostStops) {
@@ -375,10 +451,11 @@ void DirectedSearch::CountOn(Counting& counting, RandomRuns& result) {
     stimuli_.resize(begin);
     ++stimuli_.back().times;
     ++counting.done;
+    NoteCarries(counting);
     KeepAtConstant(counter, before);
     counting.stops = Advance(before, ValueIn(counter), counter.bytes) == 0 ? counting.stops + 1 : 0;
   }
-  counting.is_over = counting.done >= most_counted_ || counting.stops >= kMostStops;
+  counting.is_over = counting.done >= most_of_all() || counting.stops >= kMostStops;
   keep();
   Keep(Kept::kOnTheWay);
 }
@@ -402,7 +479,12 @@ void DirectedSearch::RunCounts(const std::vector<CellId>& sought, Time end, Rand
     for (Counting& counting : countings_) {
       if (!counting.is_over && (next == nullptr || order(counting) < order(*next))) next = &counting;
     }
-    if (next == nullptr) return;
+    if (next == nullptr) {
+      std::vector<CellId> open = sought;
+      std::erase_if(open, [&](CellId cell) { return result.difference_of.contains(cell); });
+      if (!VaryCountings(InputsBeside(open))) return;
+      continue;
+    }
     CountOn(*next, result);
   }
 }

@@ -205,7 +205,7 @@ void DirectedSearch::MakePlan(const std::vector<CellId>& cells) {
 }
 
 void DirectedSearch::FindInputs(bool with_needed) {
-  for (std::vector<Input>* const inputs : {&inputs_, &behind_, &near_}) inputs->clear();
+  for (std::vector<Input>* const inputs : {&inputs_, &behind_, &near_, &kept_}) inputs->clear();
   requests_.clear();
   read_by_changed_.clear();
   seen_behind_.clear();
@@ -256,6 +256,22 @@ void DirectedSearch::FindInputs(bool with_needed) {
     }
   }
   behind_ = read_inputs();
+  std::set<CellId> kept;
+  for (uint32_t i = 0; i < old_version_.cells.calls; ++i) {
+    const CellId cell(i);
+    const bool may_be_kept = prove::diff::MayBeKept(old_version_, new_version_, match_, cell);
+    if (may_be_kept && !taken.contains(cell) && is_read(cell)) kept.insert(cell);
+  }
+  while (!kept.empty()) {
+    const CellId first = *kept.begin();
+    std::vector<CellId> word = old_words_.WordOf(first).cells;
+    if (std::ranges::find(word, first) == word.end()) word = {first};
+    Input bits;
+    for (const CellId cell : word) {
+      if (kept.erase(cell) != 0) bits.push_back({.old_cell = cell, .new_cell = match_.new_of_old[cell.index]});
+    }
+    kept_.push_back(std::move(bits));
+  }
 }
 
 }  // namespace plcxx::review::diff

@@ -151,6 +151,7 @@ void Shortener::DropSets(std::vector<Set>& sets) {
 
 void Shortener::DropInputs(Stimuli& stimuli) {
   for (Stimulus& stimulus : stimuli) {
+    DropSets(stimulus.kept);
     DropSets(stimulus.inputs);
     DropSets(stimulus.words);
     DropSets(stimulus.repeated);

@@ -18,6 +18,11 @@ Stimulus WithoutWords(const scenarios::KnownStep& step) {
       .inputs = {}, .words = {}, .slow = step.slow, .ms = step.ms, .fast = step.fast, .power_cycle = step.power_cycle};
 }
 
+Stimuli PowerOnWith(const std::vector<prove::diff::SetCell>& kept) {
+  if (kept.empty()) return {};
+  return {{.inputs = {}, .words = {}, .power_cycle = true, .kept = kept}};
+}
+
 Stimuli Folded(const Stimuli& stimuli) {
   constexpr size_t kLongestPiece = 4, kLeastTimes = 3;
   Stimuli folded;
@@ -65,13 +70,17 @@ void WrittenSteps::AddPowerCycle() {
   AddTo(line, "power off and on");
 }
 
-void WrittenSteps::Add(const Stimulus& stimulus) {
+void WrittenSteps::AddSets(const std::vector<std::pair<std::string, std::string>>& words) {
   std::string assignments;
-  for (const auto& [name, value] : stimulus.words) {
+  for (const auto& [name, value] : words) {
     AddTo(assignments, StepWord(name) + ": " + StepWord(value));
     AddTo(line, name + "=" + value);
   }
   if (!assignments.empty()) scenario += "- set: {" + assignments + "}\n";
+}
+
+void WrittenSteps::Add(const Stimulus& stimulus) {
+  AddSets(stimulus.words);
   if (stimulus.slow == 0 && stimulus.fast == 0 && stimulus.ms == 0) return;
   if (stimulus.slow == 0 && stimulus.fast == 0) {
     const std::string ms = std::to_string(stimulus.ms);

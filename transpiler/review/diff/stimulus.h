@@ -11,7 +11,7 @@
 
 namespace plcxx::review::diff {
 
-/// Power fails, perhaps; inputs are set; then time passes.
+/// Power fails, perhaps, and something else is kept; inputs are set; then time passes.
 struct Stimulus {
   std::vector<prove::diff::SetCell> inputs;
   std::vector<std::pair<std::string, std::string>> words;  // the same as a scenario writes it: location, value
@@ -19,6 +19,9 @@ struct Stimulus {
   uint32_t ms = 0;
   uint32_t fast = 0;  // times the fast part alone; 0: `ms`
   bool power_cycle = false;
+  /// Memory that is kept without power: what is there when the power comes again. Only where a run begins, for nobody
+  /// knows what was there before.
+  std::vector<prove::diff::SetCell> kept = {};
   /// Not empty: it is these, so many times, and nothing of the above.
   std::vector<Stimulus> repeated = {};
   uint32_t times = 0;
@@ -30,6 +33,9 @@ using Stimuli = std::vector<Stimulus>;
 /// The same run, with what comes several times in a row written once.
 Stimuli Folded(const Stimuli& stimuli);
 
+/// What begins a run with such memory; nothing where it is 0.
+Stimuli PowerOnWith(const std::vector<prove::diff::SetCell>& kept);
+
 /// The time and the power cycle of a known step; which words a machine knows is for the caller to say.
 Stimulus WithoutWords(const scenarios::KnownStep& step);
 
@@ -38,6 +44,7 @@ struct WrittenSteps {
   std::string scenario, line;
 
   void AddPowerCycle();
+  void AddSets(const std::vector<std::pair<std::string, std::string>>& words);
   /// Of `stimulus` what it sets by words, then its time.
   void Add(const Stimulus& stimulus);
   void AddRepeated(const WrittenSteps& steps, uint32_t times);

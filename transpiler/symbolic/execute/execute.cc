@@ -253,8 +253,9 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   const bool only_reads = host.access == ir::HostAccess::kReadsState || host.access == ir::HostAccess::kReadsRetentive;
   const bool may_read = only_reads || host.access == ir::HostAccess::kWritesState;
   if (may_read && memory_.environment().observe) memory_.environment().observe(memory_, call.host, flow_.active);
-  if (only_reads || host.access == ir::HostAccess::kNone || !answers) return;
   const bool restores = host.access == ir::HostAccess::kWritesRetentive && memory_.environment().stored;
+  const bool has_copy = restores && memory_.environment().has_copy;
+  if (only_reads || host.access == ir::HostAccess::kNone || !(answers || has_copy)) return;
   const bool exchanges_state = host.routine_exchange && host.access == ir::HostAccess::kWritesState;
   const auto is_exchanged = exchanges_state ? memory_.environment().is_exchanged : nullptr;
   for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
@@ -272,7 +273,8 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
         if (is_exchanged && !is_exchanged(cell)) continue;
         if (restores) {
           const terms::TermId copied = memory_.environment().stored(cell);
-          WriteCell(cell, terms_.Ite(HasCopy(terms_, host.name, calls), copied, memory_.Read(cell)));
+          WriteCell(cell,
+                    has_copy ? copied : terms_.Ite(HasCopy(terms_, host.name, calls), copied, memory_.Read(cell)));
           continue;
         }
         const auto& host_bit = memory_.environment().host_bit;

@@ -87,6 +87,8 @@ struct Environment {
   ReplacedParts* replaced = nullptr;
   /// What the host has of a retentive cell, if it has a copy at all; empty: a copy of which nothing is known.
   std::function<terms::TermId(CellId cell)> stored;
+  /// It has one, whatever host_answers says.
+  bool has_copy = false;
   /// Cells that follow the program's own, 64 bits each and 0 at first: what `observe` keeps from call to call. Where
   /// branches meet they are joined as memory is.
   uint32_t notes = 0;
