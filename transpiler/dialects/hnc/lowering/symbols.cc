@@ -1,8 +1,13 @@
 #include "transpiler/dialects/hnc/lowering/symbols.h"
 
+#include <algorithm>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include "transpiler/dialects/hnc/lowering/memory.h"
+#include "transpiler/dialects/hnc/lowering/statement_writer.h"
+#include "transpiler/dialects/hnc/syntax/characters.h"
 
 namespace plcxx::hnc {
 
@@ -66,15 +71,56 @@ std::string Symbols::MeaningOf(const Variable& variable) const {
     const Expr& value = ExprAt(variable.initial.front().value);
     if (value.constant && IsInteger(TypeAt(value.type))) text += " = " + std::to_string(value.constant->integer);
   }
-  if (const Comment* comment = CommentBehind(unit_, sources_, variable.range.end)) {
-    text += "; ";
-    for (const char c : comment->text) text += c == '\n' || c == '\r' ? ' ' : c;
+  const std::string comment = CommentOf(variable.range);
+  return comment.empty() ? text : text + "; " + comment;
+}
+
+/// What is said of the name at `name`: behind it on its line, else directly above that line. In one line.
+std::string Symbols::CommentOf(source::Range name) const {
+  if (name.begin == 0) return {};  // of the product
+  std::vector<source::Range> lines;
+  if (const Comment* behind = CommentBehind(unit_, sources_, name.end)) {
+    AddCommentLines(sources_.Text(behind->range), behind->range.begin, lines);
+  } else {
+    AddLinesAbove(name, lines);
+  }
+  std::string text;
+  for (const source::Range& line : lines) {
+    if (!text.empty()) text += ' ';
+    text += sources_.Text(line);
   }
   return text;
 }
 
+/// Comments are about one name when nothing else is declared below them: they are short, no empty line follows, and
+/// the line has no second name.
+void Symbols::AddLinesAbove(source::Range name, std::vector<source::Range>& lines) const {
+  constexpr size_t kMostLines = 3;
+  const source::Position position = sources_.Locate(name.begin);
+  const std::string_view line = sources_.Line(position.file, position.line);
+  if (line.find(',') != std::string_view::npos) return;
+  const source::File& file = sources_.Get(position.file);
+  const auto indent = static_cast<source::Offset>(std::ranges::find_if_not(line, IsBlank) - line.begin());
+  const std::vector<const Comment*> above =
+      CommentsBefore(unit_, sources_, file.base + file.line_starts[position.line - 1] + indent);
+  uint32_t next = position.line;
+  size_t first = above.size();
+  for (; first > 0 && sources_.Locate(above[first - 1]->range.end).line + 1 >= next; --first) {
+    next = sources_.Locate(above[first - 1]->range.begin).line;
+  }
+  std::vector<source::Range> found;
+  for (; first < above.size(); ++first) {
+    AddCommentLines(sources_.Text(above[first]->range), above[first]->range.begin, found);
+  }
+  if (found.size() <= kMostLines) lines.insert(lines.end(), found.begin(), found.end());
+}
+
 void Symbols::Document() {
   std::map<std::pair<uint32_t, uint32_t>, ir::Documentation> cells;  // by space and byte
+  std::map<std::string_view, source::Range> macros;                  // names that the program gives to cells
+  for (const Macro& macro : unit_.macros) {
+    if (!macro.is_system && !macro.has_parameters) macros.emplace(macro.name, macro.range);
+  }
   for (const ir::Place& place : program_.places) {
     const bool memory = !place.is_field() && (memory_.IsOfArea(place.space) || place.space == memory_.data());
     if (!memory || place.address.empty()) continue;  // an indexed place has no address
@@ -82,6 +128,8 @@ void Symbols::Document() {
     if (!known.address.empty()) continue;
     known.address = place.address;
     known.symbols = place.space == memory_.data() ? place.address : place.name;
+    if (const auto macro = macros.find(place.name); place.space != memory_.data() && macro != macros.end())
+      known.meaning = CommentOf(macro->second);
   }
   for (uint32_t i = 0; i < objects_.size(); ++i) {
     const Object& object = objects_[ObjectId(i)];

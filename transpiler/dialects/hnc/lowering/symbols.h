@@ -22,6 +22,8 @@ class Symbols : Context {
   void AddSymbol(const std::string& name, TypeId type_id, uint32_t offset,
                  const std::vector<ir::Symbol::Index>& indices);
   std::string MeaningOf(const Variable& variable) const;
+  std::string CommentOf(source::Range name) const;
+  void AddLinesAbove(source::Range name, std::vector<source::Range>& lines) const;
 
   Memory& memory_;
 };
