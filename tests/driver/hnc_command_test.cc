@@ -151,7 +151,7 @@ TEST(HncCommand, LinesAreInTheMapOnly) {
   const std::string body = "int a;\nvoid plc1() { a = 1 / X[0]; Y[0] = a; }\n";
   work.Write("mill.cld", Program(body));
   ASSERT_EQ(work.Run("emit mill.cld -o one --quiet --name mill").code, 0);
-  work.Write("mill.cld", Program("/* a line\n   more */\n" + body));
+  work.Write("mill.cld", Program("/* a line\n   more */\n\n" + body));
   ASSERT_EQ(work.Run("emit mill.cld -o two --quiet --name mill").code, 0);
   EXPECT_EQ(work.Read("one/mill.cpp"), work.Read("two/mill.cpp"));
   EXPECT_EQ(work.Read("one/mill.hpp"), work.Read("two/mill.hpp"));
@@ -220,6 +220,32 @@ TEST(HncCommand, ListsForTheDocumentationOfTheMachine) {
   has_line("R_ui.30. +all +plc2 +plc2");
   has_line("scans +int +5 +plc1 +plc1 +plc1");
   has_line("plc1 +plc1 +12 +1");
+}
+
+// A switch within a case has cases of its own; a variable that takes the word, or a quotient of it, is followed.
+TEST(HncCommand, CodesOfRequestsAreThoseThatTheProgramCompares) {
+  const Workplace work;
+  work.Write(
+      "mill.cld",
+      "#include \"plc.h\"\nint step;\n"
+      "void on_m(int ch)\n{\n    int m = mod_M_code(ch), other = 0;\n    other = m; other++;\n"
+      "    switch (mod_M_code(ch)) {\n    case 6:\n        switch (step) { case 41: step = 0; }\n    case 7: break;\n"
+      "    }\n"
+      "    if (m == 8 || 9 == m || m != -1)\n        mod_M_code(0) = -1;\n    if (other == 42) step = 43;\n}\n"
+      "void on_t(int ch)\n{\n    int t;\n    t = 0;\n    t = (unsigned)mod_T_code(ch) / 10 / 10;\n"
+      "    switch (t) { case 2: step = 1; }\n    mod_T_code(ch) = -1;\n}\n"
+      "void init() { plc1_time = plc2_time = 16; set_mst_func(0, 'M', on_m); set_mst_func(0, 'T', on_t); }\n"
+      "void plc1() { }\nvoid plc2() { }\n");
+  const Ran report = work.Run("report mill.cld --lists");
+  EXPECT_EQ(report.code, 0) << report;
+  EXPECT_THAT(report.out, HasSubstr("Codes of requests that switches and comparisons name\n"
+                                    "  kind  code     function  place\n"
+                                    "  M     6        on_m      mill.cld:8\n"
+                                    "  M     7        on_m      mill.cld:10\n"
+                                    "  M     8        on_m      mill.cld:12\n"
+                                    "  M     9        on_m      mill.cld:12\n"
+                                    "  T     200-299  on_t      mill.cld:21\n"
+                                    "Bits of Y"));
 }
 
 // Each of these includes the next one three times: no macro is in them.

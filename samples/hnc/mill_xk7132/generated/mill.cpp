@@ -1257,7 +1257,8 @@ static void tool_change(State& m, Host& host) noexcept {
   }
 }
 
-// mcodes.h - M functions of channel 0 The handler is called in every scan until it sets the code to -1.
+// mcodes.h - M functions of channel 0
+// The handler is called in every scan until it sets the code to -1.
 static void spindle_code(State& m, uint16_t ch, uint16_t state, Host& host) noexcept {
   // if (alarms & ALARM_SPINDLE)
   if ((m[alarms] & 0x80) != 0) {
@@ -1394,6 +1395,7 @@ static void on_modal(State& m, uint16_t ch, Host& host) noexcept {
   }
 }
 
+// machine.h - power, alarms, coolant, lubrication
 // Emergency stop acts on the raw input, at once and without the filter.
 static void power(State& m, Host& host) noexcept {
   // if (!ESTOP_OK)

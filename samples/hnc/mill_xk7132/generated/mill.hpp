@@ -71,7 +71,7 @@ enum Byte : uint16_t {
   X_0,  // X 0..127 at several widths
   X3 = X_0 + 3,  // X[3]
   X4 = X_0 + 4,  // X[4]
-  LIMITS = X_0 + 5,  // X[5]
+  LIMITS = X_0 + 5,  // X[5]: X5: 行程开关（常闭），X6: 回零开关
   X6 = X_0 + 6,  // X[6]
   F_0 = X_0 + 128,  // F 0..511 at several widths
   G_0 = F_0 + 512,  // G 0..511 at several widths

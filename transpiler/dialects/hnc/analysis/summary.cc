@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "transpiler/dialects/hnc/analysis/registrations.h"
+#include "transpiler/dialects/hnc/analysis/request_codes.h"
 #include "transpiler/dialects/hnc/analysis/stores.h"
 #include "transpiler/dialects/hnc/machine/machine.h"
 #include "transpiler/dialects/hnc/syntax/walk.h"
@@ -90,7 +91,7 @@ class Summary {
         NoteRead(id, expr, mask == masks.end() ? ~uint64_t{0} : mask->second);
       }
     });
-    ForEachStatement(unit_, function.body, [&](StatementId statement) { NoteCodes(id, statement); });
+    NoteCodes(id);
   }
 
   void NoteMask(const Expr& expr, std::map<uint32_t, uint64_t>& masks) const {
@@ -170,23 +171,12 @@ class Summary {
     }
   }
 
-  /// Constants of a switch on a mod word.
-  void NoteCodes(FunctionId id, StatementId statement_id) {
-    const Statement& statement = unit_.statements[statement_id];
-    if (statement.kind != StatementKind::kSwitch || !statement.expression.valid()) return;
-    ExprId selector = statement.expression;
-    while (unit_.expressions[selector].kind == ExprKind::kConvert) selector = unit_.expressions[selector].a;
-    if (unit_.expressions[selector].kind != ExprKind::kLoad) return;
-    const std::optional<ModWord> word = WordOfG(unit_, objects_, facts_, unit_.expressions[selector].a);
-    if (!word || word->word < kFirstModWord) return;
-    const int64_t kind = (word->word - kFirstModWord) % kChannelWords;
-    if (kind > 3) return;
-    ForEachStatement(unit_, statement.then, [&](StatementId part) {
-      const Statement& label = unit_.statements[part];
-      if (label.kind != StatementKind::kCase) return;
-      codes_.rows.push_back({std::string(1, kHandlerKinds[static_cast<size_t>(kind)]), std::to_string(label.value),
-                             unit_.functions[id].name, PlaceOf(label.head)});
-    });
+  void NoteCodes(FunctionId id) {
+    for (const RequestCode& code : RequestCodes(unit_, objects_, facts_, id)) {
+      const std::string last = code.last == code.first ? "" : "-" + std::to_string(code.last);
+      codes_.rows.push_back({std::string(1, kHandlerKinds[code.kind]), std::to_string(code.first) + last,
+                             unit_.functions[id].name, PlaceOf(code.place)});
+    }
   }
 
   // --- tables ---
@@ -356,7 +346,7 @@ class Summary {
   std::map<uint32_t, uint32_t> depths_;                             // by FunctionId
   SummaryTable alarms_{"alarms", "User alarms that constants raise", {"alarm", "bit", "place", "comment"}, {}};
   SummaryTable codes_{
-      "codes", "Codes that switches on the words of requests name", {"kind", "code", "function", "place"}, {}};
+      "codes", "Codes of requests that switches and comparisons name", {"kind", "code", "function", "place"}, {}};
 };
 
 }  // namespace

@@ -86,8 +86,12 @@ std::string Symbols::CommentOf(source::Range name) const {
   }
   std::string text;
   for (const source::Range& line : lines) {
+    constexpr std::string_view kDecoration = " \t-=*";
+    const std::string_view words = sources_.Text(line);
+    const size_t first = words.find_first_not_of(kDecoration);
+    if (first == std::string_view::npos) continue;
     if (!text.empty()) text += ' ';
-    text += sources_.Text(line);
+    text += words.substr(first, words.find_last_not_of(kDecoration) + 1 - first);
   }
   return text;
 }
