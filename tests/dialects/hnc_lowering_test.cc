@@ -390,10 +390,11 @@ TEST(HncLowering, EachCellIsDocumentedByWhatItIsCalled) {
 // Behind the name, or directly above its line; what an empty line separates is about more than one name.
 TEST(HncLowering, ACellAndAVariableHaveWhatTheirCommentSays) {
   LoweredProgram lowered;
-  LowerInto(lowered,
-            "// all lamps\n\n#define LAMP Y[3]  /* door */\n// coolant\n// pump\n#define PUMP Y[4]\n#define HORN Y[5]\n"
-            "/* of the\n   chuck */\nint grip;\nint turns;  // --- of the spindle ---\n\n/* not used */\n\nint rest;\n" +
-                WithStatements("LAMP = grip; PUMP = turns; HORN = rest;"));
+  LowerInto(
+      lowered,
+      "// all lamps\n\n#define LAMP Y[3]  /* door */\n// coolant\n// pump\n#define PUMP Y[4]\n#define HORN Y[5]\n"
+      "/* of the\n   chuck */\nint grip;\nint turns;  // --- of the spindle ---\n\n/* not used */\n\nint rest;\n" +
+          WithStatements("LAMP = grip; PUMP = turns; HORN = rest;"));
   std::map<std::string, std::string> meanings;
   for (const ir::Documentation& known : lowered.program().documentation) meanings[known.symbols] = known.meaning;
   EXPECT_EQ(meanings["LAMP"], "door");
