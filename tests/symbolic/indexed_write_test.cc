@@ -53,6 +53,12 @@ class IndexedWriteTest : public ::testing::Test {
   const TermId always_ = terms_.Bit(true), mask_ = terms_.Const(0x40, 8);
 };
 
+TEST_F(IndexedWriteTest, ReadsWhatElseThereIsWhereNoElementCanBeMeant) {
+  const TermId never = terms_.And(terms_.Ult(a_, terms_.Const(2, 8)), terms_.Ult(terms_.Const(5, 8), a_));
+  const TermId otherwise = terms_.Const(7, 8);
+  for (const TermId given : {never, always_}) EXPECT_EQ(terms::LookUp(terms_, given, a_, {}, otherwise), otherwise);
+}
+
 TEST_F(IndexedWriteTest, MeansTheSameForEveryIndex) {
   const TermId small = terms_.Ult(a_, terms_.Const(9, 8)), odd = terms_.Extract(a_, 0, 1);
   const TermId low = terms_.Zext(terms_.Extract(a_, 0, 3), 8);

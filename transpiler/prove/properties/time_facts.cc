@@ -15,7 +15,7 @@
 namespace plcxx::prove::properties {
 namespace {
 
-constexpr size_t kMostRegisters = 16, kMostLimits = 4, kMostBits = 6, kMostGuesses = 6000;
+constexpr size_t kMostRegisters = 16, kMostLimits = 4, kMostBits = 6, kMostGuesses = 9000, kMostOffsets = 8;
 constexpr size_t kMostSimulatedTerms = 60'000;
 constexpr int kShortRuns = 8, kRuns = 24, kPeriods = 700;
 constexpr uint64_t kMostPeriodsAway = 100;  // of a clock from the time
@@ -102,6 +102,8 @@ class Finder {
   void AddGuesses();
   void AddGuessesOfBits(std::span<const std::optional<std::pair<terms::TermId, bool>>> bits,
                         const std::set<uint64_t>& scales);
+  std::vector<uint64_t> Offsets() const;
+  static std::vector<uint64_t> SlacksOf(uint64_t scale, std::span<const uint64_t> offsets);
   void DropWrongAtStart();
   bool LookForGreatest();
   void DropClocks();
@@ -276,12 +278,37 @@ void Finder::AddGuessesOfBits(std::span<const std::optional<std::pair<terms::Ter
   }
 }
 
+/// What may have passed before a register goes on: nothing, or presets of others, one after the other.
+std::vector<uint64_t> Finder::Offsets() const {
+  std::set<uint64_t> times;
+  for (const uint64_t limit : limits_) {
+    if (limit < 2 * uint64_t{question_.period_ms}) continue;
+    const std::set<uint64_t> before = times;
+    times.insert(limit);
+    for (const uint64_t time : before) times.insert(time + limit);
+  }
+  std::vector<uint64_t> offsets{0};
+  for (const uint64_t time : times) {
+    if (offsets.size() < kMostOffsets) offsets.push_back(time);
+  }
+  return offsets;
+}
+
+std::vector<uint64_t> Finder::SlacksOf(uint64_t scale, std::span<const uint64_t> offsets) {
+  std::vector<uint64_t> slacks;
+  for (const uint64_t offset : offsets) {
+    for (uint64_t slack = 0; slack <= kMostSlack * scale; slack += scale) slacks.push_back(offset + slack);
+  }
+  return slacks;
+}
+
 void Finder::AddGuesses() {
   std::vector<std::optional<std::pair<terms::TermId, bool>>> unless{std::nullopt};
   for (const terms::TermId bit : question_.bits) {
     if (unless.size() > 2 * kMostBits || !words_.contains(bit)) continue;
     for (const bool value : {true, false}) unless.emplace_back(std::pair(bit, value));
   }
+  const std::vector<uint64_t> offsets = Offsets();
   std::set<uint64_t> scales{1, question_.period_ms};
   if (question_.period_ms % 10 == 0) scales.insert(question_.period_ms / 10);
   for (uint32_t i = 0; i < registers_.size(); ++i) {
@@ -297,7 +324,8 @@ void Finder::AddGuesses() {
     for (uint32_t counter = 0; counter < question_.counters.size(); ++counter) {
       for (const auto& bit : unless) {
         for (const uint64_t scale : scales) {
-          for (uint64_t slack = 0; slack <= kMostSlack * scale; slack += scale) {
+          const bool may_be_second = !bit && registers_[i].reading == Reading::kValue;
+          for (const uint64_t slack : SlacksOf(scale, std::span(offsets).first(may_be_second ? offsets.size() : 1))) {
             Guess guess{.form = Form::kGrows, .of_register = i, .counter = counter, .scale = scale, .slack = slack};
             guess.unless = bit;
             for (const std::optional<uint64_t>& limit : bit ? std::span(or_none).first(1) : std::span(or_none)) {

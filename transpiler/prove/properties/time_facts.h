@@ -11,6 +11,8 @@
 //              with A = 1 adds 10 to both sides or T has its limit; one with A = 0 makes n = 0. Proved
 //   so         n = 600 means 6000 <= T or T >= 5000: B is 1
 //
+// Of a timer that another one starts it is said from there on: 10 * n <= T2 + 5000.
+//
 // In: the state words and what must not happen. Out: facts over the variables, each of which holds in every reachable
 // state, between parts of periods, too. Not its job: other facts (prove/invariants, reachable.h).
 #pragma once

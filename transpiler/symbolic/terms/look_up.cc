@@ -48,7 +48,9 @@ TermId LookUp(Terms& terms, TermId given, TermId index, const std::vector<TableE
       leaves[i] = at != elements.end() && at->index == known->values[i] ? at->value : otherwise;
     }
     const TermId value = Tree(terms, known->bits, std::move(leaves)).Build(0, known->bits.size());
-    return value.valid() ? value : elements.back().value;
+    if (value.valid()) return value;
+    // Nothing is given in which the index has a value: of no element, perhaps, for all were known to be elsewhere.
+    return elements.empty() ? otherwise : elements.back().value;
   }
   TermId value = otherwise;
   for (auto element = elements.rbegin(); element != elements.rend(); ++element) {
