@@ -199,7 +199,7 @@ TEST_F(DiffCommand, SaysWhatIsWrong) {
   EXPECT_EQ(broken.code, 2) << broken;
   EXPECT_THAT(broken.errors, HasSubstr("cannot be compared: it has errors"));
   place_.Write("open.yaml", "dialect: nc110\nsources: [old/door.plc]\nsteps:\n- run: {slow: 1}\n");
-  for (const std::string words : {"open.yaml new/door.plc", "old/door.plc open.yaml"}) {
+  for (const std::string words : {"open.yaml new/door.plc", "old/door.plc open.yaml", "old new --sources open.yaml"}) {
     const Ran scenario = place_.Run("diff " + words);
     EXPECT_EQ(scenario.code, 2) << scenario;
     EXPECT_THAT(scenario.errors, HasSubstr("'open.yaml' is YAML, as scenarios are: diff compares programs"));

@@ -51,6 +51,21 @@ class TestCommand : public testing::Test {
   fs::path root_ = directory_.path();
 };
 
+// Its program with its options; what the run's own scenario sets counts more.
+TEST_F(TestCommand, SourcesMayBeAScenario) {
+  Write("sub/program.yaml",
+        "dialect: nc110\noptions: {clo: [20, 2], tim: 4}\nsources:\n  own.plc: |\n    $\n    T48I(W5K0)=I0A3\n"
+        "    U4A8=T48U\nsteps:\n- run: {slow: 1}\n");
+  Write("steps.yaml",
+        "dialect: nc110\noptions: {tim: 5}\nsteps:\n- set: {W5K0: 10, I0A3: 1}\n- run: {ms: 60}\n- expect: {U4A8: 0}\n"
+        "- run: {ms: 1}\n- expect: {U4A8: 1}\n");
+  const compile::ProcessResult ran = Run("steps.yaml --engine sim --sources sub/program.yaml");
+  EXPECT_EQ(ran.exit_code, 0) << ran.output;
+  const compile::ProcessResult without = Run("steps.yaml --engine sim --sources steps.yaml");
+  EXPECT_EQ(without.exit_code, 2) << without.output;
+  EXPECT_THAT(without.output, HasSubstr("the scenario names no program"));
+}
+
 TEST_F(TestCommand, AScenarioThatPasses) {
   const compile::ProcessResult simulated = Run("good.yaml --engine sim --verbose");
   EXPECT_EQ(simulated.exit_code, 0);

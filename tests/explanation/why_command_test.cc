@@ -103,6 +103,18 @@ TEST_F(Why, AStateInTheMiddle) {
 }
 
 // A scenario ends at the first step that fails: what is told then is no answer to what was asked, and has to say so.
+// Of the one the program, of the other one the run.
+TEST_F(Why, TheProgramMayBeNamedByAScenario) {
+  work.Write("program.yaml", Yaml("- run: {slow: 1}\n"));
+  work.Write("run.yaml",
+             "dialect: nc110\nsteps:\n- set: {I0A7: 1}\n- run: {slow: 1}\n- set: {I0A3: 1}\n- run: {slow: 1}\n");
+  const Ran ran = work.Run("why U4A8 program.yaml --scenario run.yaml");
+  EXPECT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.out, StartsWith("U4A8 is 1 at 10 ms: lamp.plc:5:1"));
+  EXPECT_EQ(work.Run("why U4A8 program.yaml --can --scenario run.yaml").code, 0);
+  EXPECT_EQ(work.Run("why U4A8 run.yaml --scenario run.yaml").code, 2);
+}
+
 TEST_F(Why, AStateThatTheScenarioDoesNotGetTo) {
   const std::string steps = "- set: {I0A7: 1, I0A3: 1}\n- run: {slow: 3}\n- expect: {U4A8: 0}\n- run: {s: 1}\n";
   const Ran step = Ask(steps, "U4A8 --step 4");

@@ -62,7 +62,8 @@ std::optional<std::vector<ProgramScenarios>> ReadScenarios(const std::vector<std
                                                            const MutateSettings& settings) {
   const std::optional<compilation::CompilationRequest> common = MakeRequest(settings.common);
   if (!common) return std::nullopt;
-  const scenarios::ProgramOverrides overrides{.sources = {}, .options = common->options, .warnings = common->warnings};
+  const scenarios::ProgramOverrides overrides{
+      .sources = {}, .program = nullptr, .options = common->options, .warnings = common->warnings};
   const scenarios::Reach reach =
       settings.common.allow_outside ? scenarios::Reach::kAnywhere : scenarios::Reach::kProject;
   std::vector<ProgramScenarios> programs;

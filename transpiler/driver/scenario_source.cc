@@ -2,12 +2,12 @@
 
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "transpiler/driver/terminal.h"
-#include "transpiler/scenarios/program.h"
 
 namespace plcxx::driver {
 
@@ -35,7 +35,8 @@ std::optional<compilation::CompilationRequest> RequestOfScenario(const CommonOpt
     PrintUsageError(why);
     return std::nullopt;
   }
-  compilation::CompilationRequest own = scenarios::RequestOf(*scenario, {{}, request.options, request.warnings});
+  compilation::CompilationRequest own = scenarios::RequestOf(
+      *scenario, {.sources = {}, .program = nullptr, .options = request.options, .warnings = request.warnings});
   if (!request.dialect.empty()) own.dialect = request.dialect;
   if (request.encoding) own.encoding = request.encoding;
   own.include_directories.insert(own.include_directories.begin(), request.include_directories.begin(),
@@ -45,6 +46,22 @@ std::optional<compilation::CompilationRequest> RequestOfScenario(const CommonOpt
                                         request.system_include_directories.end());
   own.macros.insert(own.macros.end(), request.macros.begin(), request.macros.end());
   return own;
+}
+
+std::optional<scenarios::ProgramOverrides> OverridesOf(const std::vector<std::string>& sources,
+                                                       const compilation::CompilationRequest& request,
+                                                       const CommonOptions& options) {
+  scenarios::ProgramOverrides overrides{
+      .sources = sources, .program = nullptr, .options = request.options, .warnings = request.warnings};
+  if (sources.size() != 1 || !IsScenario(sources.front())) return overrides;
+  std::optional<scenarios::Scenario> named = ReadScenario(sources.front(), options);
+  if (!named) return std::nullopt;
+  if (const std::string why = scenarios::WhyNoProgram(*named, {}); !why.empty()) {
+    PrintUsageError(why);
+    return std::nullopt;
+  }
+  overrides.program = std::make_shared<const scenarios::Scenario>(std::move(*named));
+  return overrides;
 }
 
 }  // namespace plcxx::driver

@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "transpiler/driver/common_options.h"
+#include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/scenario.h"
 
 namespace plcxx::driver {
@@ -20,5 +22,11 @@ std::optional<scenarios::Scenario> ReadScenario(const std::string& path, const C
 /// option that both set, the scenario's value counts. None: the error has been printed.
 std::optional<compilation::CompilationRequest> RequestOfScenario(const CommonOptions& options,
                                                                  const compilation::CompilationRequest& request);
+
+/// What the command line says about the programs of scenarios: `sources`, among them a scenario for its program, and
+/// what `request` has of options and warnings. None: the error has been printed.
+std::optional<scenarios::ProgramOverrides> OverridesOf(const std::vector<std::string>& sources,
+                                                       const compilation::CompilationRequest& request,
+                                                       const CommonOptions& options);
 
 }  // namespace plcxx::driver

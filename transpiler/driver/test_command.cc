@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "transpiler/driver/junit.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/scenario_choice.h"
+#include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/scenarios/suite.h"
 #include "transpiler/support/listed.h"
@@ -108,7 +110,9 @@ std::optional<scenarios::SuiteOptions> MakeOptions(const TestSettings& settings)
   const std::optional<compilation::CompilationRequest> request = MakeRequest(settings.common);
   if (!request) return std::nullopt;
   scenarios::SuiteOptions options;
-  options.programs = {settings.sources, request->options, request->warnings};
+  std::optional<scenarios::ProgramOverrides> programs = OverridesOf(settings.sources, *request, settings.common);
+  if (!programs) return std::nullopt;
+  options.programs = std::move(*programs);
   options.reach = settings.common.allow_outside ? scenarios::Reach::kAnywhere : scenarios::Reach::kProject;
   if (settings.checked) options.programs.options.emplace_back(compilation::kFactsOption, "checked");
   options.jobs = settings.jobs;

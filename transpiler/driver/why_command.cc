@@ -156,9 +156,11 @@ int WhyInScenario(const WhySettings& settings) {
   if (!TakeTime(settings, time_ms)) return kWrongUse;
   const std::optional<compilation::CompilationRequest> asked = MakeRequest(settings.common);
   if (!asked) return kWrongUse;
+  const std::optional<scenarios::ProgramOverrides> overrides =
+      OverridesOf(settings.common.sources, *asked, settings.common);
+  if (!overrides) return kWrongUse;
   ProgressLine progress;
-  compilation::CompilationRequest request =
-      scenarios::RequestOf(*scenario, {settings.common.sources, asked->options, asked->warnings});
+  compilation::CompilationRequest request = scenarios::RequestOf(*scenario, *overrides);
   request.progress = [&progress](std::string_view phase) { progress.Show(phase); };
   const compilation::Compilation compilation = compilation::Compile(request);
   progress.Clear();
@@ -212,7 +214,10 @@ int WhetherItCan(const WhySettings& settings) {
   if (!settings.scenario.empty()) {
     const std::optional<scenarios::Scenario> scenario = ReadScenario(settings);
     if (!scenario) return kWrongUse;
-    request = scenarios::RequestOf(*scenario, {settings.common.sources, request->options, request->warnings});
+    const std::optional<scenarios::ProgramOverrides> overrides =
+        OverridesOf(settings.common.sources, *request, settings.common);
+    if (!overrides) return kWrongUse;
+    request = scenarios::RequestOf(*scenario, *overrides);
   }
   ProgressLine progress;
   scenarios::ProveMachine machine;

@@ -42,30 +42,11 @@ std::string WhyNoProgram(const Scenario& scenario, const std::vector<std::string
   return scenario.path + ": no 'sources': the scenario names no program";
 }
 
-compilation::CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& overrides) {
-  compilation::CompilationRequest request;
-  if (scenario.program) {
-    request = project::RequestOf(*scenario.program);
-    request.include_directories.push_back(scenario.directory.empty() ? "." : scenario.directory);
-    request.options.clear();  // are among the scenario's
-  } else {
-    request.base_directory = scenario.directory;
-    request.sources = scenario.sources;
-    request.texts = scenario.texts;
-    // A source that is written in the scenario includes what is beside the scenario.
-    if (!scenario.texts.empty())
-      request.include_directories.push_back(scenario.directory.empty() ? "." : scenario.directory);
-  }
-  request.dialect = scenario.dialect;
-  if (!overrides.sources.empty()) {
-    // Named on the command line: relative to the current directory, not to the scenario.
-    request.sources.clear();
-    for (const std::string& path : overrides.sources)
-      request.sources.push_back(std::filesystem::absolute(path).string());
-  }
-  request.options = overrides.options;
+namespace {
+
+/// Options that are the tool's own and not the dialect's; a name that is none is refused as an option.
+void AddOptions(const Scenario& scenario, compilation::CompilationRequest& request) {
   for (const auto& [name, value] : scenario.options) {
-    // Options that are the tool's own and not the dialect's; a name that is none is refused as an option.
     const std::optional<source::Encoding> encoding =
         name == "encoding" ? source::EncodingByName(value) : std::optional<source::Encoding>();
     if (encoding) {
@@ -76,6 +57,34 @@ compilation::CompilationRequest RequestOf(const Scenario& scenario, const Progra
       request.options.emplace_back(name, value);
     }
   }
+}
+
+}  // namespace
+
+compilation::CompilationRequest RequestOf(const Scenario& scenario, const ProgramOverrides& overrides) {
+  const Scenario& named = overrides.program != nullptr ? *overrides.program : scenario;
+  compilation::CompilationRequest request;
+  if (named.program) {
+    request = project::RequestOf(*named.program);
+    request.include_directories.push_back(named.directory.empty() ? "." : named.directory);
+    request.options.clear();  // are among the scenario's
+  } else {
+    request.base_directory = named.directory;
+    request.sources = named.sources;
+    request.texts = named.texts;
+    // A source that is written in the scenario includes what is beside the scenario.
+    if (!named.texts.empty()) request.include_directories.push_back(named.directory.empty() ? "." : named.directory);
+  }
+  request.dialect = named.dialect.empty() ? scenario.dialect : named.dialect;
+  if (!overrides.sources.empty() && overrides.program == nullptr) {
+    // Named on the command line: relative to the current directory, not to the scenario.
+    request.sources.clear();
+    for (const std::string& path : overrides.sources)
+      request.sources.push_back(std::filesystem::absolute(path).string());
+  }
+  request.options = overrides.options;
+  if (overrides.program != nullptr) AddOptions(named, request);
+  AddOptions(scenario, request);
   // What the command line says of warnings comes before what the project does.
   for (const std::string& code : overrides.warnings.enabled) request.warnings.disabled.erase(code);
   request.warnings.enabled.insert(overrides.warnings.enabled.begin(), overrides.warnings.enabled.end());

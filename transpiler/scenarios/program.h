@@ -22,6 +22,7 @@ namespace plcxx::scenarios {
 /// What the command line says about every scenario's program.
 struct ProgramOverrides {
   std::vector<std::string> sources;                          // instead of the scenario's own
+  std::shared_ptr<const Scenario> program;                   // `sources` are this one: its program, with its options
   std::vector<std::pair<std::string, std::string>> options;  // the scenario's own win
   diag::WarningOptions warnings;
 };

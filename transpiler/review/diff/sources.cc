@@ -108,6 +108,13 @@ std::optional<std::string> TakeProject(const std::string& path, const std::strin
   return std::nullopt;
 }
 
+bool IsYaml(const std::string& path) { return fs::path(path).extension() == ".yaml"; }
+
+std::string NoProgram(const std::string& path) {
+  return "'" + path +
+         "' is YAML, as scenarios are: diff compares programs; name the sources of both versions, or their folders";
+}
+
 std::optional<std::string> FillRequest(const std::string& path, const DiffWords& words,
                                        compilation::CompilationRequest& request) {
   const std::vector<std::string>& sources = words.sources;
@@ -122,11 +129,12 @@ std::optional<std::string> FillRequest(const std::string& path, const DiffWords&
       return "'" + path + "' is a project: name its folder, as in 'plcxx diff " +
              (fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : std::string(".")) +
              " NEW', or 'plcxx diff A..B' in it for two versions in git";
-    if (fs::path(path).extension() == ".yaml")
-      return "'" + path +
-             "' is YAML, as scenarios are: diff compares programs; name the sources of both versions, or their folders";
+    if (IsYaml(path)) return NoProgram(path);
     request.sources = {path};
     return std::nullopt;
+  }
+  for (const std::string& source : sources) {
+    if (IsYaml(source)) return NoProgram(source);
   }
   request.base_directory = path;
   request.sources = sources;
