@@ -27,6 +27,7 @@ constexpr size_t kMostStates = 4000;                      // that are kept, of t
 constexpr size_t kMostAmong = 16;                         // values of two numbers that belong together
 constexpr size_t kMostWhile = 24;                         // bits of one version, while which a relation is looked for
 constexpr size_t kMostWhileTwo = 60;                      // pairs of numbers of which it is, while two bits are so
+constexpr size_t kMostBitsWhile = 60;                     // relations of two bits, while a third one is so
 constexpr size_t kLeastStatesWhileTwo = 12;               // or it says nothing that one more state does not break
 constexpr size_t kMostRelations = 200, kMostSeldom = 60;  // those that exclude one of four values of two bits
 
@@ -63,6 +64,7 @@ class Observed {
     std::vector<uint32_t> states;
   };
   std::vector<StatesWhile> Whiles(const std::vector<uint32_t>& all) const;
+  std::vector<Relation> BitsWhile(const std::vector<StatesWhile>& whiles, bool with_same) const;
   struct Line {
     uint64_t factor = 1, constant = 0;
     size_t count = 0;
@@ -400,6 +402,49 @@ void Observed::AddWhileTwo(const std::vector<StatesWhile>& whiles, const Seen& a
   }
 }
 
+/// That two bits are equal, or opposite, while a third one is set, or is not: those that are said of most states.
+std::vector<Relation> Observed::BitsWhile(const std::vector<StatesWhile>& whiles, bool with_same) const {
+  const auto states_of = [this](const Seen& seen) {
+    States states;
+    for (uint32_t state = 0; state < states_; ++state) states[state] = seen.values[state] != 0;
+    return states;
+  };
+  const auto is_flag = [&](const Seen& seen) {
+    return seen.number.width == 1 && seen.parts.size() == 1 && seen.parts.front().width == 1 &&
+           (with_same || !seen.is_same);
+  };
+  std::vector<States> states_while;
+  for (const StatesWhile& one : whiles) {
+    States& states = states_while.emplace_back();
+    for (const uint32_t state : one.states) states[state] = true;
+  }
+  std::vector<std::pair<size_t, Relation>> found;
+  for (const Seen& a : old_) {
+    for (const Seen& b : new_) {
+      if (!is_flag(a) || !is_flag(b) || comparison_.Late()) continue;
+      const States of_a = states_of(a), differ = of_a ^ states_of(b);
+      for (size_t i = 0; i < whiles.size(); ++i) {
+        if (whiles[i].bit.bit == a.number || whiles[i].bit.bit == b.number) continue;
+        const States& here = states_while[i];
+        const bool are_equal = (here & differ).none(), are_opposite = (here & differ) == here;
+        // Where one of them stays what it is, each is an invariant of its version.
+        const bool changes = (here & of_a).any() && (here & of_a) != here;
+        if (!changes || are_equal == are_opposite) continue;
+        Relation relation{.kind = Relation::Kind::kAmong, .number = a.number, .other = b.number, .values = {}};
+        relation.values = are_equal ? std::vector<std::pair<uint64_t, uint64_t>>{{0, 0}, {1, 1}}
+                                    : std::vector<std::pair<uint64_t, uint64_t>>{{0, 1}, {1, 0}};
+        relation.whiles = {whiles[i].bit};
+        found.emplace_back(here.count(), std::move(relation));
+      }
+    }
+  }
+  std::ranges::stable_sort(found, std::greater<>(), &std::pair<size_t, Relation>::first);
+  found.resize(std::min(found.size(), kMostBitsWhile));
+  std::vector<Relation> relations;
+  for (auto& [count, relation] : found) relations.push_back(std::move(relation));
+  return relations;
+}
+
 std::vector<Relation> Observed::Relations(bool with_same) const {
   std::vector<uint32_t> all(states_);
   for (uint32_t i = 0; i < states_; ++i) all[i] = i;
@@ -442,6 +487,7 @@ std::vector<Relation> Observed::Relations(bool with_same) const {
   AddSums(all, new_, old_, always);
   std::ranges::move(while_two, std::back_inserter(always));
   std::ranges::move(sometimes, std::back_inserter(always));
+  std::ranges::move(BitsWhile(whiles, with_same), std::back_inserter(always));
   seldom.resize(std::min(seldom.size(), kMostSeldom));
   std::ranges::move(seldom, std::back_inserter(always));
   always.resize(std::min(always.size(), kMostRelations));
