@@ -64,6 +64,20 @@ TEST(TechnolLowering, TheCommentOfAByteIsThatOfItsBits) {
   EXPECT_EQ(meanings["V2"], "valves");
 }
 
+// The head of a file at its first module, the end of a module at its end.
+TEST(TechnolLowering, CommentsAboutAFileAndAModuleAreKept) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "; saw, version 3\n\nDATA\nBITS: DFM A,Q\nDATA_END\nMODULE_INIT\nFL 0,Q\nMODULE_INIT_END ; end of init\n"
+            "MODULE_MAIN\nLDR A\nWR Q\n; last\nMODULE_MAIN_END ; end of main\nSTOP\n");
+  std::vector<std::string> comments;
+  for (const ir::Statement& statement : lowered.program().statements) {
+    for (const source::Range& range : statement.comments) comments.emplace_back(lowered.sources.Text(range));
+  }
+  EXPECT_THAT(comments, ElementsAre("; saw, version 3", "MODULE_INIT", "; end of init", "MODULE_MAIN", "; last",
+                                    "; end of main"));
+}
+
 TEST(TechnolLowering, AJumpBackWithinAStretchNeedsNoStep) {
   EXPECT_THAT(Main("FL 1,B\nZPET: LDR A\nJL1 ZPET\nWR C\n"), Not(Contains(HasSubstr("step"))));
 }

@@ -125,6 +125,7 @@ void init(State& m, Host& host) noexcept {
   rounds_left = 65536u;
   ax = 0;
 
+  // ; Continuous branch, start, reset
   // ; --------------------------------------------------------------------------- power-on
   // MODULE_INIT
   // ; A magazine of which nothing is known stands at pocket 1
@@ -799,6 +800,7 @@ static void PRIPRAVNE_FUNKCE(State& m, uint16_t& bx, uint32_t& dr, uint16_t& dx,
         break;
       }
     }
+    // ; Functions of the NC block
     // ; --------------------------------------------------------------------------- before the motion
     // PRIPRAVNE_FUNKCE
     // ; T: the magazine is turned while the block before still runs
@@ -1867,6 +1869,7 @@ to_MCH_VYPNUTI_2:;
 
 // While REQ_PIS_HALT is 1.
 static void MODULE_HALT(State& m, Host&) noexcept {
+  // ; Vypínání stroje: výpadek sítě, UPS, klávesa na panelu
   // ; --------------------------------------------------------------------------- poslední modul: rozepne napájení
   // MODULE_HALT
   // FL   0,O_NAPAJENI

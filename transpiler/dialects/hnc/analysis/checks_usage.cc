@@ -5,11 +5,14 @@
 #include <array>
 #include <map>
 #include <set>
+#include <string>
+#include <string_view>
 #include <tuple>
 
 #include "transpiler/dialects/hnc/analysis/checks.h"
 #include "transpiler/dialects/hnc/analysis/stores.h"
 #include "transpiler/dialects/hnc/machine/machine.h"
+#include "transpiler/support/near_words.h"
 
 namespace plcxx::hnc {
 namespace {
@@ -71,6 +74,14 @@ Usage FindUsage(const CheckContext& context) {
   return usage;
 }
 
+/// "case 1" for case1, "default" for defualt: what a label was to be in a switch; empty when it is like neither.
+std::string CaseMeant(std::string_view label) {
+  constexpr std::string_view kCase = "case", kWords[] = {"default"};
+  if (label.size() > kCase.size() && label.starts_with(kCase))
+    return std::string(kCase) + " " + std::string(label.substr(kCase.size()));
+  return std::string(support::NearestName(label, kWords));
+}
+
 void WarnOfUnused(const CheckContext& context) {
   const Unit& unit = context.unit;
   if (unit.faulty) return;  // its use may be in what was not understood
@@ -102,7 +113,12 @@ void WarnOfUnused(const CheckContext& context) {
     }
   }
   for (const Label& label : unit.labels) {
-    if (!label.used) context.diagnostics.Report(label.range, diag::HncUnused, "label", label.name);
+    if (label.used) continue;
+    if (const std::string meant = CaseMeant(label.name); !meant.empty()) {
+      context.diagnostics.Report(label.range, diag::HncUnusedLabelMeant, label.name, meant);
+    } else {
+      context.diagnostics.Report(label.range, diag::HncUnused, "label", label.name);
+    }
   }
 }
 

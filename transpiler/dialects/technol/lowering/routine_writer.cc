@@ -123,6 +123,19 @@ void RoutineWriter::FindLabels() {
   }
 }
 
+/// Is it the first module in its file, where the comments at the head of the file are shown?
+bool RoutineWriter::BeginsFile(UnitId module) const {
+  for (uint32_t i = 0; i < module.index; ++i) {
+    const Unit& unit = tree_.units[UnitId(i)];
+    if (unit.kind == UnitKind::kModule && unit.file == tree_.units[module].file) return false;
+  }
+  return true;
+}
+
+const SourceFile& RoutineWriter::FileOf(const Unit& unit) const {
+  return *std::ranges::find(tree_.files, unit.file, &SourceFile::file);
+}
+
 void RoutineWriter::Lower(const Routine& routine) {
   frame_.routine = &routine;
   exits_.BeginRoutine();
@@ -132,6 +145,7 @@ void RoutineWriter::Lower(const Routine& routine) {
   statements_.Cut(label_at_);
   if (routine.unit.valid() && tree_.units[routine.unit].kind == UnitKind::kModule) {
     const Unit& unit = tree_.units[routine.unit];
+    if (BeginsFile(routine.unit)) statements_.AddComments(FileOf(unit).header);
     statements_.AddComments(unit.comments);
     statements_.AddLines(unit.open);
   }
@@ -156,7 +170,10 @@ void RoutineWriter::Execute(size_t index) {
     registers_.Forget();
   }
   const bool ends_module = instruction.op == Op::kModuleEnd && !Info(tree_.units[frame_.routine->unit].module).waits;
-  if (ends_module) return statements_.AddComments(instruction.comments);
+  if (ends_module) {
+    statements_.AddComments(instruction.comments);
+    return statements_.AddTrailingComments(instruction.comments);
+  }
   if (statements_.BeginsAt(index)) {  // as each label does
     registers_.EndStatement();
     conditions_.Forget();

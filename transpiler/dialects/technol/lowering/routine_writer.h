@@ -42,6 +42,8 @@ class RoutineWriter : Context {
   void AddSubprograms(Routine& routine);
   ir::RoutineId AddUnit(const Routine& routine);
   std::string CommentOf(const Routine& routine) const;
+  bool BeginsFile(UnitId module) const;
+  const SourceFile& FileOf(const Unit& unit) const;
   /// What the routine begins with: zeros, the jumps back that it may take, the choice of its entry.
   void Begin();
   void FindLabels();

@@ -174,6 +174,10 @@ void StatementWriter::AddComments(const Span& comments) {
   dialects::AddComments(tree_.comments, comments.first, comments.count, CommentPlace::kLeading, waiting_comments_);
 }
 
+void StatementWriter::AddTrailingComments(const Span& comments) {
+  dialects::AddComments(tree_.comments, comments.first, comments.count, CommentPlace::kTrailing, waiting_comments_);
+}
+
 void StatementWriter::AddLines(source::Range range) {
   waiting_comments_.push_back(dialects::LinesOf(sources_, range.begin, range.end));
 }

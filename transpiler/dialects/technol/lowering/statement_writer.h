@@ -32,6 +32,8 @@ class StatementWriter : Context {
   void Begin(size_t first);
   /// Text above the next statement: comments before an instruction, and lines without one.
   void AddComments(const Span& comments);
+  /// Those on a line that is not shown itself.
+  void AddTrailingComments(const Span& comments);
   void AddLines(source::Range range);
   /// What is in front of the end of a module belongs to no instruction.
   void End();
