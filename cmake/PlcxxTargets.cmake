@@ -27,9 +27,6 @@ if(PLCXX_ODR)
                       -Werror=lto-type-mismatch)
 endif()
 
-# Most of what a file costs the compiler is its headers, which eight files of a folder share this way.
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
-
 # plcxx_alone(<file>...): files whose names in namespaces without name are others' names as well.
 macro(plcxx_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -205,7 +205,7 @@ TEST(Engine, NotesAreBelowWarnings) {
 }
 
 TEST(Engine, AForkReportsOnItsOwnUntilItIsJoined) {
-  Engine engine({.all_errors = false, .errors = {"W8"}});
+  Engine engine({.errors = {"W8"}, .all_errors = false});
   engine.Report({1, 2}, kOdd);
   Engine fork = engine.Fork();
   EXPECT_EQ(fork.warning_count(), 1u);

@@ -14,8 +14,8 @@
 namespace plcxx::prove::diff {
 namespace {
 
-constexpr size_t kMostCells = 400;      // of one version
-constexpr size_t kMostTerms = 100'000;  // of which the parts are made
+constexpr size_t kMostCells = 400;             // of one version
+constexpr size_t kMostTermsOfParts = 100'000;  // of which the parts are made
 constexpr uint64_t kSamples = 24;
 constexpr int kMostRounds = 8;
 
@@ -99,7 +99,7 @@ bool OwnCells::AddParts() {
     }
   }
   cone_ = terms::ConeOf(terms_, roots);
-  if (cone_.size() > kMostTerms) return false;
+  if (cone_.size() > kMostTermsOfParts) return false;
   FindNeeded();
   return true;
 }

@@ -47,7 +47,7 @@ std::vector<terms::TermId> ConjunctsOf(terms::Terms& terms, terms::TermId bit) {
 
 /// A number as it counts for who has seen it: of a great one, as a time that runs, the highest digits.
 uint64_t Kept(uint64_t value) {
-  const int width = std::bit_width(value);
+  const auto width = static_cast<int>(std::bit_width(value));
   return width <= kKeptBits ? value : (value >> (width - 3)) << (width - 3);
 }
 
@@ -211,9 +211,9 @@ void WideSearch::Select(wide::Period& period) {
 }
 
 std::optional<PropertyRun> WideSearch::Episode(Time end) {
-  constexpr std::array<uint32_t, 6> kPeriods = {24, 150, 60, 400, 60, 2000};
+  constexpr std::array<uint32_t, 6> kLengths = {24, 150, 60, 400, 60, 2000};
   constexpr std::array<uint32_t, 5> kSelectEvery = {3, 2, 5, 8, 16};
-  const uint32_t periods = kPeriods[episodes_ % kPeriods.size()],
+  const uint32_t periods = kLengths[episodes_ % kLengths.size()],
                  every = kSelectEvery[episodes_ / 2 % kSelectEvery.size()];
   ++episodes_;
   PowerOn();

@@ -114,8 +114,7 @@ terms::TermId CallLog::CalledByCode(const ReplacedCall& call, std::vector<terms:
 ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const execute::Cells& cells, const StateImage& image,
                            const Unit& unit, Passes passes, const std::vector<std::string>& parameters,
                            std::optional<NumberRange> result)
-    : emittable_(emittable),
-      program_(*emittable.program),
+    : program_(*emittable.program),
       cells_(cells),
       image_(image),
       unit_(unit),

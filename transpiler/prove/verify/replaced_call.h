@@ -120,7 +120,6 @@ class ReplacedCall {
   std::vector<terms::TermId> ArgumentsAmong(std::span<const terms::TermId> found) const;
   terms::TermId ResultAfter(terms::Terms& terms, terms::TermId known) const;
 
-  const emit::Emittable& emittable_;
   const ir::Program& program_;
   const execute::Cells& cells_;
   const StateImage& image_;

@@ -14,8 +14,8 @@ struct Quotient {
   uint64_t divisor = 0;
 };
 
-constexpr int kMostDepth = 24;     // eight decimal digits, each divided and cut
-constexpr int kDepthOfChoice = 2;  // it has two ways
+constexpr int kMostDivisions = 24;  // eight decimal digits, each divided and cut
+constexpr int kDepthOfChoice = 2;   // it has two ways
 
 TermId BelowZeros(const Terms& terms, TermId id) {
   while (terms[id].kind == TermKind::kConcat && terms.IsZero(TermId(terms[id].a))) id = TermId(terms[id].b);
@@ -90,7 +90,7 @@ Quotient QuotientOf(const Terms& terms, TermId id) {
 
 }  // namespace
 
-uint64_t GreatestOf(const Terms& terms, TermId id) { return GreatestIn(terms, id, kMostDepth); }
+uint64_t GreatestOf(const Terms& terms, TermId id) { return GreatestIn(terms, id, kMostDivisions); }
 
 uint8_t WidthOfDivision(uint64_t greatest) {
   constexpr int kByte = 8;

@@ -11,9 +11,9 @@ namespace plcxx::terms {
 namespace {
 
 constexpr size_t kMostBits = 16;
-constexpr size_t kMostKnown = 32;   // bits of KnownIndexBits::ones
-constexpr size_t kMostParts = 32;   // of a condition
-constexpr size_t kMostTerms = 200;  // of an index that is computed for all values of its bits
+constexpr size_t kMostKnown = 32;       // bits of KnownIndexBits::ones
+constexpr size_t kMostConditions = 32;  // of a condition
+constexpr size_t kMostTerms = 200;      // of an index that is computed for all values of its bits
 
 /// The bits of variables and functions' results that an index is made of, ascending; none: they are too many.
 class BitsOf {
@@ -117,7 +117,7 @@ void ForEachPart(const Terms& terms, TermId condition, Visit&& visit) {
   std::vector<TermId> parts = {condition};
   for (size_t i = 0; i < parts.size(); ++i) {
     const Term term = terms[parts[i]];
-    if (term.kind == TermKind::kAnd && parts.size() < kMostParts) {
+    if (term.kind == TermKind::kAnd && parts.size() < kMostConditions) {
       parts.emplace_back(term.a);
       parts.emplace_back(term.b);
       continue;

@@ -11,7 +11,7 @@ namespace plcxx::terms {
 namespace {
 
 constexpr uint32_t kMostComputed = 5'000;  // Of and Assume go as deep
-constexpr uint32_t kMostDepth = 12;        // of branches in branches whose conditions are looked at
+constexpr uint32_t kMostBranches = 12;     // of branches in branches whose conditions are looked at
 constexpr size_t kMostConjuncts = 64;      // of a condition
 constexpr int kMostAlternatives = 4;       // "or" in "or"
 constexpr int kRounds = 3;                 // a bound may follow from another one that comes later
@@ -208,7 +208,7 @@ Interval OfPart(const Interval& a, uint8_t low, uint8_t of_width, uint8_t width)
 }  // namespace
 
 Interval Intervals::OfBranch(TermId condition, bool value, TermId branch) {
-  if (depth_ == kMostDepth || !SaysBounds(terms_, condition)) return Of(branch);
+  if (depth_ == kMostBranches || !SaysBounds(terms_, condition)) return Of(branch);
   const size_t mark = before_.size();
   const bool contradicted = contradicts_;
   // What is found here holds in the branch only.

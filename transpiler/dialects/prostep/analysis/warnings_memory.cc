@@ -18,7 +18,7 @@ constexpr uint32_t kMapSpaces = 4;  // I, O, F, D
 constexpr uint32_t kLastNumberField = 255 + 6;
 
 /// A mask of bits for each byte of I, O, F and D.
-struct Bits {
+struct UsedBits {
   std::array<std::array<uint8_t, kBytes>, kMapSpaces> masks{};
 
   static uint8_t Of(const MemoryAccess& access) { return access.bytes == 1 ? access.bits : uint8_t{0xFF}; }
@@ -73,7 +73,7 @@ struct MemoryChecker {
   const Program& program;
   diag::Engine& diagnostics;
   std::vector<std::vector<MemoryAccess>> accesses = {};  // by InstructionId
-  Bits read = {}, written = {}, interface = {}, fast = {};
+  UsedBits read = {}, written = {}, interface = {}, fast = {};
   std::array<bool, kMapSpaces> read_somewhere{}, written_somewhere{};  // FM 15 to 18
   std::set<std::tuple<const void*, Space, uint32_t, uint32_t, uint8_t>> reported = {};
 
