@@ -102,7 +102,9 @@ class FlowChecks {
 
   /// W19.
   void CheckSlow() {
-    if (program_.sections.empty()) return;  // tables only
+    const bool has_tables =
+        !program_.title.empty() || !program_.symbols.empty() || !program_.alarms.empty() || !program_.mcodes.empty();
+    if (program_.sections.empty() && has_tables) return;
     const SectionId slow = FindSection(program_, SectionKind::kSlow);
     if (!slow.valid()) {
       const source::File& file = sources_.Get(program_.files.front());
