@@ -411,7 +411,7 @@ TEST(EmitRandom, SmallRoutines) {
 TEST(EmitRandom, LongRoutinesAreCut) {
   for (uint32_t seed = 1; seed <= testing_support::Volume(1U, 2U); ++seed) {
     SCOPED_TRACE(seed);
-    const EmittedProgram program(RandomProgram(seed, {150, 300}), kRandomInputs, seed);
+    const EmittedProgram program(RandomProgram(seed, {150, 120}), kRandomInputs, seed);
     const Emittable emittable = legalize::Legalize(program.program(), {.name = "p"});
     EXPECT_GT(emittable.chunks.size(), 1u);
     program.ExpectRunsAsSimulated();

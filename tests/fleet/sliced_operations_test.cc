@@ -3,8 +3,10 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "tests/fleet/lanes_beside.h"
+#include "tests/volume.h"
 #include "transpiler/engines/platform.h"
 #include "transpiler/ir/op.h"
 #include "transpiler/ir/reader.h"
@@ -177,7 +179,12 @@ TEST_P(SlicedOperations, GiveWhatTheirFunctionsGive) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, SlicedOperations, testing::Values(64U, 512U));
+/// To compile all operations takes most of the time: the widest of this processor in a normal run.
+std::vector<unsigned> Widths() {
+  return testing_support::Volume(std::vector<unsigned>{WidestFleet()}, std::vector<unsigned>{64, 256, 512});
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, SlicedOperations, testing::ValuesIn(Widths()));
 
 }  // namespace
 }  // namespace plcxx::fleet
