@@ -156,6 +156,10 @@ ExprId WordReader::ParseTerm() {
   if (At(TokenKind::kNumber)) return expressions_.ParseConstant(Type::kWord);
   if (At(TokenKind::kAscii)) return expressions_.ParseAscii(Type::kWord);
   if (At(TokenKind::kFunction)) return ParseFunction(Type::kWord);
+  if (At(TokenKind::kMinus)) {
+    return HardFault(MissingAt(), diag::Nc110ExpectedHint, "word, constant or function", Found(),
+                     "no sign stands in front of a term: subtract from 0, [0-W1K0]; -1 is 255");
+  }
   if (!At(TokenKind::kOpenParenthesis)) return Expected("word, constant or function");
   const source::Range open = Take().range;
   if (!EnterParenthesis(open)) {

@@ -215,6 +215,11 @@ std::string_view ForeignOperandHint(std::string_view word) {
       {"KF", "a constant is K and its number, on the next line"},
       {"KB", "a constant is K and its number, on the next line"},
       {"KH", "a constant is K and its number, 0FFH, on the next line"},
+      {"KC", "a count is K and its digits, 30D, on the next line"},
+      {"KZ", "a count is K and its digits, 30D, on the next line"},
+      {"KT", "a time is K, a scale digit and three digits, on the next line: K 2030D is 30 times 100 ms"},
+      {"KM", "a constant is K and its number, 0FFH, on the next line"},
+      {"KY", "a constant is K and its number, 0FFH, on the next line"},
   };
   const auto row = std::ranges::find(kForeignOperands, word, &ForeignOperand::word);
   return row == std::end(kForeignOperands) ? std::string_view() : row->hint;
