@@ -87,13 +87,15 @@ class CallGraph {
 }  // namespace
 
 void ResolveCalls(Program& program, diag::Engine& diagnostics) {
+  // A module whose number is wrong, which is reported, may be the one that is called.
+  const bool all_numbered = std::ranges::all_of(program.modules, &Module::numbered);
   for (Instruction& instruction : program.instructions) {
     if (!IsCall(instruction) || !instruction.operand.exists()) continue;
     instruction.module = program.module_of[instruction.operand.number];
     const std::string name = ToText(instruction.operand);
     if (!instruction.module.valid()) {
       instruction.faulty = true;
-      diagnostics.Report(instruction.range, diag::ProstepModuleUndefined, name);
+      if (all_numbered) diagnostics.Report(instruction.range, diag::ProstepModuleUndefined, name);
     } else if (instruction.operand.number < kFirstSubroutine) {
       diagnostics.Report(instruction.range, diag::ProstepSchedulerModuleCalled, name);
     }

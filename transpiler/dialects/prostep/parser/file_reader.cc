@@ -108,6 +108,10 @@ void FileReader::ReportOutside(const Statement& statement) {
                         "a text begins with a dot and not with a colon: " + text_of_message + " 1 .TEXT");
     return;
   }
+  if (UpperOf(statement.tokens.front()).starts_with("MOD")) {
+    diagnostics_.Report(statement.range, diag::ProstepOutsideHint, text, "a blank is behind the mnemonic: MOD PM");
+    return;
+  }
   diagnostics_.Report(statement.range, diag::ProstepOutside, text);
 }
 

@@ -65,6 +65,7 @@ void ModuleReader::OpenModule(const Statement& statement) {
 
   Module module{.number = static_cast<uint8_t>(number.value_or(0)),
                 .faulty = !number,
+                .numbered = number.has_value(),
                 .file = now_.file,
                 .open = statement.range,
                 .instructions = {.first = program_.instructions.size()},

@@ -90,7 +90,8 @@ struct Label {
 
 struct Module {
   uint8_t number = 0;
-  bool faulty = false;  // its own MOD or END line, or its number
+  bool faulty = false;   // its own MOD or END line, or its number
+  bool numbered = true;  // its MOD line has a legal number
   source::FileId file;
   source::Range open;   // "MOD PM 20"
   source::Range close;  // "END PM 20"; empty where it is missing (reported)
