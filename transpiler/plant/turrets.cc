@@ -45,8 +45,8 @@ Circle MakeCircle(const Fields& fields, std::string_view count_key) {
 }
 
 std::optional<FieldFault> FaultOf(const Circle& circle, std::string_view what) {
-  constexpr int64_t kMaxPositions = 1000;
-  if (circle.positions > kMaxPositions)
+  constexpr int64_t kMostOnACircle = 1000;
+  if (circle.positions > kMostOnACircle)
     return FieldFault{std::string(what), "there are more than 1000 of them", "write fewer"};
   if (circle.at < circle.first || circle.at >= circle.first + circle.positions) {
     return FieldFault{"at", "there is no number " + std::to_string(circle.at),

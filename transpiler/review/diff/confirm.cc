@@ -13,19 +13,19 @@
 namespace plcxx::review::diff {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 bool IsReplayed(const DiffItem& item) {
   return item.counterexample && item.counterexample->replay == Replay::kSimulator;
 }
 
-int SecondsUntil(Clock::time_point end) {
-  return static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(end - Clock::now()).count());
+int SecondsUntil(std::chrono::steady_clock::time_point end) {
+  return static_cast<int>(
+      std::chrono::duration_cast<std::chrono::seconds>(end - std::chrono::steady_clock::now()).count());
 }
 
 /// Both versions as generated code, compiled beside each other; why not, otherwise.
 std::string CompileBoth(const std::shared_ptr<const engines::Platform>& platform, std::array<DiffSide*, 2> sides,
-                        std::array<scenarios::ScenarioProgram, 2>& programs, Clock::time_point end) {
+                        std::array<scenarios::ScenarioProgram, 2>& programs,
+                        std::chrono::steady_clock::time_point end) {
   const int seconds = SecondsUntil(end);
   if (seconds < 1) return "the time was over";
   const auto compile = [&platform, seconds](const DiffSide* side) {
@@ -45,8 +45,8 @@ std::string CompileBoth(const std::shared_ptr<const engines::Platform>& platform
 
 }  // namespace
 
-void ConfirmCompiled(DiffSide& old_side, DiffSide& new_side, const DiffOptions& options, Clock::time_point end,
-                     Diff& diff) {
+void ConfirmCompiled(DiffSide& old_side, DiffSide& new_side, const DiffOptions& options,
+                     std::chrono::steady_clock::time_point end, Diff& diff) {
   if (std::ranges::none_of(diff.items, IsReplayed)) return;
   if (options.progress) options.progress("runs as generated code");
   engines::PlatformOrFailure made = engines::MakeHostPlatform(options.compiler);
@@ -64,10 +64,10 @@ void ConfirmCompiled(DiffSide& old_side, DiffSide& new_side, const DiffOptions& 
   suite.explains = false;
   suite.platforms = {{.platform = platform}};
   const std::string path = (std::filesystem::path(options.scenario_directory) / "counterexample.yaml").string();
-  Clock::duration greatest{};  // that a replay took
+  std::chrono::steady_clock::duration greatest{};  // that a replay took
   for (DiffItem& item : diff.items) {
     if (!IsReplayed(item)) continue;
-    const Clock::time_point begin = Clock::now();
+    const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
     if (begin + std::max(greatest, 2 * item.counterexample->cost) >= end) {
       diff.not_compiled = "the time was over";
       return;
@@ -84,7 +84,7 @@ void ConfirmCompiled(DiffSide& old_side, DiffSide& new_side, const DiffOptions& 
       item.reason = "the simulator shows a difference that the generated code does not";
       item.counterexample.reset();
     }
-    greatest = std::max(greatest, Clock::now() - begin);
+    greatest = std::max(greatest, std::chrono::steady_clock::now() - begin);
   }
 }
 
