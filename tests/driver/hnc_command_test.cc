@@ -233,7 +233,8 @@ TEST(HncCommand, CodesOfRequestsAreThoseThatTheProgramCompares) {
       "    }\n"
       "    if (m == 8 || 9 == m || m != -1)\n        mod_M_code(0) = -1;\n    if (other == 42) step = 43;\n}\n"
       "void on_t(int ch)\n{\n    int t;\n    t = 0;\n    t = (unsigned)mod_T_code(ch) / 10 / 10;\n"
-      "    switch (t) { case 2: step = 1; }\n    mod_T_code(ch) = -1;\n}\n"
+      "    switch (t) { case 2: step = 1; }\n"
+      "    if (mod_T_code(ch) / 2000000000 / 2000000000 / 2000000000 == 3) step = 2;\n    mod_T_code(ch) = -1;\n}\n"
       "void init() { plc1_time = plc2_time = 16; set_mst_func(0, 'M', on_m); set_mst_func(0, 'T', on_t); }\n"
       "void plc1() { }\nvoid plc2() { }\n");
   const Ran report = work.Run("report mill.cld --lists");

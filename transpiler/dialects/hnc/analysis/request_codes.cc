@@ -11,7 +11,8 @@
 namespace plcxx::hnc {
 namespace {
 
-constexpr int64_t kDone = -1;  // the word of a request that is complete: no code
+constexpr int64_t kDone = -1;                    // the word of a request that is complete: no code
+constexpr int64_t kMostDivided = 1'000'000'000;  // a quotient by more is 0 for each code
 
 /// What a value is of the word of a request.
 struct RequestWord {
@@ -54,7 +55,7 @@ class CodeFinder {
     if (expr.kind == ExprKind::kBinary && expr.binary == BinaryOp::kDivide) {
       std::optional<RequestWord> word = WordOf(expr.a);
       const std::optional<Constant>& by = unit_.expressions[expr.b].constant;
-      if (!word || !by || by->integer <= 0) return std::nullopt;
+      if (!word || !by || by->integer <= 0 || by->integer > kMostDivided / word->divisor) return std::nullopt;
       word->divisor *= by->integer;
       return word;
     }
