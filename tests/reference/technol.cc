@@ -14,8 +14,7 @@ using technol::UnitId;
 
 namespace {
 
-// 5.1 and 5.2: the system cells, in their order.
-constexpr uint32_t kSysReq = 7, kSysNc = 8;
+// Their bits.
 constexpr uint32_t kHaltBit = 6;
 constexpr uint32_t kPripravneBit = 0, kZaverecneBit = 1, kClearBit = 2;
 

@@ -20,6 +20,9 @@
 
 namespace plcxx::reference {
 
+// 5.1 and 5.2: system cells, in their order.
+inline constexpr uint32_t kSysReq = 7, kSysNc = 8;
+
 /// What is decided before anything runs.
 struct TechnolFlow {
   /// Of each instruction: the static width of DR in front of it (6.1): 16, 32; 0: nothing has loaded it.

@@ -182,20 +182,19 @@ class Widths {
 };
 
 uint8_t RequestsOf(const Program& program) {
-  constexpr uint32_t kRequests = 7;
   uint8_t bits = 0;
   for (const Instruction& instruction : program.instructions) {
     for (uint32_t k = 0; k < instruction.operands.count; ++k) {
       const Operand& operand = program.OperandOf(instruction, k);
       if (operand.address.area != technol::Area::kSys) continue;
       const bool flag = technol::Info(instruction.op).form == technol::Form::kFlag || instruction.op == Op::kWr;
-      if (flag && operand.kind == OperandKind::kBit && operand.address.offset == kRequests) {
+      if (flag && operand.kind == OperandKind::kBit && operand.address.offset == kSysReq) {
         bits = static_cast<uint8_t>(bits | 1U << operand.bit);
       }
       const technol::Access access = technol::Info(instruction.op).first;
       const bool writes = access == technol::Access::kWrite || access == technol::Access::kReadWrite;
       if (!writes || operand.kind != OperandKind::kMemory) continue;
-      const bool covers = operand.address.offset <= kRequests && operand.address.offset + operand.width / 8 > kRequests;
+      const bool covers = operand.address.offset <= kSysReq && operand.address.offset + operand.width / 8 > kSysReq;
       if (covers || operand.address.index != Register::kNone) bits = 0xFF;
     }
   }
