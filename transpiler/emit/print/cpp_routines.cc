@@ -1,7 +1,6 @@
 // One .cpp file: what it includes and declares, chunks, routines.
 
 #include <algorithm>
-#include <string_view>
 
 #include "transpiler/emit/print/part_printer.h"
 #include "transpiler/ir/builder.h"
@@ -59,11 +58,7 @@ std::string PartPrinter::Linkage(ir::RoutineId id) const {
 void PartPrinter::Routine(ir::RoutineId id) {
   const ir::Routine& routine = program_.routines[id];
   const Locals& locals = emittable_.routine_locals[id.index];
-  for (size_t at = 0; at < routine.comment.size();) {
-    const size_t end = std::min(routine.comment.find('\n', at), routine.comment.size());
-    Comment(std::string_view(routine.comment).substr(at, end - at));
-    at = end + 1;
-  }
+  CommentLines(routine.comment);
   OpenFunction(Linkage(id) + std::string(ir::CppName(routine.result)) + " " + emittable_.routine_names[id.index],
                locals, PiecesOf(emittable_, id));
   if (routine.result_place.valid()) return_ = "return " + emittable_.place_names[routine.result_place.index] + ";";

@@ -85,12 +85,8 @@ void PartPrinter::BlankLine() {
   last_ = Last::kBlank;
 }
 
-/// The source's comments, then its lines as they stand there. A comment between these lines has its place among them.
-void PartPrinter::StatementComments(const ir::Statement& statement) {
-  for (const source::Range& comment : statement.comments) {
-    if (!IsInside(comment, statement.range)) Comment(sources_.Text(comment));
-  }
-  const std::string_view text = sources_.Text(statement.range);
+/// A comment for each line that is not blank.
+void PartPrinter::CommentLines(std::string_view text) {
   size_t begin = 0;
   while (begin < text.size()) {
     size_t end = text.find_first_of("\r\n", begin);
@@ -99,6 +95,15 @@ void PartPrinter::StatementComments(const ir::Statement& statement) {
     if (row.find_first_not_of(" \t") != std::string_view::npos) Comment(row);
     begin = end + 1;
   }
+}
+
+/// The source's comments, then its lines as they stand there. A comment between these lines has its place among them.
+void PartPrinter::StatementComments(const ir::Statement& statement) {
+  for (const source::Range& comment : statement.comments) {
+    if (!IsInside(comment, statement.range)) Comment(sources_.Text(comment));
+  }
+  const std::string_view text = sources_.Text(statement.range);
+  CommentLines(text);
   if (text.empty() && !statement.subject.empty()) Comment(statement.subject);
 }
 

@@ -78,6 +78,7 @@ class PartPrinter {
   void Line(Text text);
   void BlankLine();
   void Comment(std::string_view text);
+  void CommentLines(std::string_view text);
   /// What follows in the text is the current statement's.
   void Own() { Own(statement_); }
   void Own(ir::StatementId statement);
