@@ -275,6 +275,11 @@ bool Comparison::IsLookedAt(const PairResult& result, uint32_t count) const {
   return result.verdict == PairVerdict::kUndecided && (count <= kMostLookedAt || result.changed_itself);
 }
 
+const PairResult* Comparison::ResultOf(execute::CellId old_cell) const {
+  const uint32_t index = old_cell.valid() ? result_of_old[old_cell.index] : kNone;
+  return index == kNone ? nullptr : &results[index];
+}
+
 bool Comparison::IsInput(execute::CellId old_cell) const {
   // The operator may send a text at any time.
   const execute::CellId new_cell = match.new_of_old[old_cell.index];

@@ -75,6 +75,8 @@ struct Comparison {
   void Report(const std::string& what) const {
     if (limits.progress) limits.progress(what);
   }
+  /// Of a pair that is compared; null: the cell is in none.
+  const PairResult* ResultOf(execute::CellId old_cell) const;
   /// See IsInputPair; and what the operator sends.
   bool IsInput(execute::CellId old_cell) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "transpiler/support/low_bits.h"
 #include "transpiler/symbolic/terms/cone.h"
@@ -31,7 +32,6 @@ std::optional<VariablePart> JointRun::PartOf(Which which, execute::CellId cell) 
 
 JointRun::Step JointRun::StepOf(std::span<const machine::Transition* const> sides) {
   Step step;
-  std::vector<terms::TermId> roots;
   for (const Which which : {Which::kOld, Which::kNew}) {
     const machine::Version& version = comparison_.pairing.version(which);
     const std::vector<terms::TermId>& next = sides[which == Which::kOld ? 0 : 1]->next;
@@ -47,10 +47,8 @@ JointRun::Step JointRun::StepOf(std::span<const machine::Transition* const> side
       const std::optional<VariablePart> to = PartOf(which, cell);
       if (!to || comparison_.pairing.Initial(which, cell) == next[i]) continue;
       step.assignments.push_back({*to, next[i]});
-      roots.push_back(next[i]);
     }
   }
-  step.cone = terms::ConeOf(terms_, roots);
   return step;
 }
 
@@ -61,9 +59,7 @@ bool JointRun::Prepare() {
   for (const machine::Part part : PartsOf(comparison_)) {
     if (!ExecutePart(comparison_, part, machine::HostAnswers::kNothing)) return false;
     parts_.push_back(StepOf(std::array{&comparison_.old_next, &comparison_.new_next}));
-    size_ += parts_.back().cone.size();
   }
-  if (size_ > kMostTerms) return false;
   for (const PairResult& result : comparison_.results) {
     // Where the versions have two variables they would get two values.
     if (!comparison_.IsInput(result.old_cell) || !comparison_.pairing.IsEqual(result.old_cell)) continue;
@@ -82,6 +78,70 @@ bool JointRun::Prepare() {
   is_answer_.assign(terms_.variable_count(), true);
   is_answer_[terms_[comparison_.now].a] = false;
   for (const Memory& memory : memory_) is_answer_[memory.part.variable] = false;
+  return true;
+}
+
+namespace {
+
+/// The digits of each variable that terms are computed from: a byte may hold eight flags.
+class NeededDigits {
+ public:
+  explicit NeededDigits(const terms::Terms& terms) : terms_(terms), digits_(terms.variable_count()) {}
+
+  bool Has(const VariablePart& part) const { return (digits_[part.variable] & DigitsOf(part.low, part.width)) != 0; }
+  void Add(const VariablePart& part) { Add(part.variable, DigitsOf(part.low, part.width)); }
+  /// What `id` reads itself.
+  void AddReadBy(terms::TermId id) {
+    const terms::Term& term = terms_[id];
+    terms_.ForEachOperand(term, [&](terms::TermId operand) {
+      const terms::Term& read = terms_[operand];
+      if (read.kind != terms::TermKind::kVariable) return;
+      const bool is_part = term.kind == terms::TermKind::kExtract;
+      Add(read.a, is_part ? DigitsOf(static_cast<uint8_t>(term.b), term.width) : DigitsOf(0, read.width));
+    });
+  }
+  void AddWhole(terms::TermId id) {
+    const terms::Term& term = terms_[id];
+    if (term.kind == terms::TermKind::kVariable) Add(term.a, DigitsOf(0, term.width));
+  }
+  bool TakeGrown() { return std::exchange(has_grown_, false); }
+
+ private:
+  static uint64_t DigitsOf(uint8_t low, uint8_t width) { return support::LowBits(width) << low; }
+  void Add(uint32_t variable, uint64_t digits) {
+    has_grown_ |= (digits & ~digits_[variable]) != 0;
+    digits_[variable] |= digits;
+  }
+
+  const terms::Terms& terms_;
+  std::vector<uint64_t> digits_;  // by variable
+  bool has_grown_ = false;
+};
+
+}  // namespace
+
+bool JointRun::Restrict(std::span<const VariablePart> looked_at) {
+  NeededDigits needed(terms_);
+  for (const VariablePart& part : looked_at) needed.Add(part);
+  const auto find_cone = [&](Step& step) {
+    std::vector<terms::TermId> roots;
+    for (const Assignment& assignment : step.assignments) {
+      if (needed.Has(assignment.to)) roots.push_back(assignment.value);
+    }
+    for (const terms::TermId root : roots) needed.AddWhole(root);
+    step.cone = terms::ConeOf(terms_, roots);
+    for (const terms::TermId id : step.cone) needed.AddReadBy(id);
+  };
+  while (needed.TakeGrown() && !comparison_.Late()) {
+    find_cone(init_);
+    std::ranges::for_each(parts_, find_cone);
+  }
+  size_ = 0;
+  for (const Step& part : parts_) size_ += part.cone.size();
+  if (comparison_.Late() || size_ > kMostTerms) return false;
+  const auto is_left_out = [&](const Assignment& assignment) { return !needed.Has(assignment.to); };
+  std::erase_if(init_.assignments, is_left_out);
+  for (Step& part : parts_) std::erase_if(part.assignments, is_left_out);
   return true;
 }
 

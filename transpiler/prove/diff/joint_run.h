@@ -24,8 +24,11 @@ class JointRun {
  public:
   explicit JointRun(Comparison& comparison) : comparison_(comparison), terms_(comparison.terms) {}
 
-  /// Executes power-on and the parts over the pairing as it is; false: not in time, or too large.
+  /// Executes power-on and the parts over the pairing as it is; false: not in time.
   bool Prepare();
+  /// From now on only what these are computed from is executed, however many periods that takes; false: it is too
+  /// large.
+  bool Restrict(std::span<const VariablePart> looked_at);
 
   void PowerOn();
   /// Goes on from a state that both were seen in.

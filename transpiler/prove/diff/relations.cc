@@ -53,6 +53,8 @@ class Observed {
 
  private:
   void AddNumbers();
+  bool RestrictRun();
+  void LeaveOutFollowers();
   std::optional<Seen> SeenOf(Number number);
   void AddState();
   /// From where it is.
@@ -165,10 +167,38 @@ void Observed::RunOn(terms::Random& random, uint64_t one_in, size_t periods) {
   }
 }
 
+/// To what the numbers are computed from; false: that is too much.
+bool Observed::RestrictRun() {
+  std::vector<VariablePart> looked_at;
+  for (const std::vector<Seen>* const side : {&old_, &new_, &equal_}) {
+    for (const Seen& seen : *side) std::ranges::copy(seen.parts, std::back_inserter(looked_at));
+  }
+  return run_.Restrict(looked_at);
+}
+
+/// Leaves what has a change of its own, and memory that one version alone has.
+void Observed::LeaveOutFollowers() {
+  equal_.clear();
+  const auto follows = [this](const Seen& seen) {
+    return std::ranges::all_of(seen.number.cells, [&](execute::CellId cell) {
+      const bool is_old = seen.number.which == Which::kOld;
+      const PairResult* const result = comparison_.ResultOf(is_old ? cell : comparison_.match.old_of_new[cell.index]);
+      return result != nullptr && !result->changed_itself;
+    });
+  };
+  std::erase_if(old_, follows);
+  std::erase_if(new_, follows);
+}
+
 bool Observed::Run() {
   if (!run_.Prepare()) return false;
   AddNumbers();
   if (old_.empty() || new_.empty()) return false;
+  if (!RestrictRun()) {
+    // Very much may be behind what only takes its difference from others, or is equal.
+    LeaveOutFollowers();
+    if (old_.empty() || new_.empty() || !RestrictRun()) return false;
+  }
   terms::Random random(0x2545F4914F6CDD1D);
   const size_t periods = std::min<size_t>(kPeriods, kMostEvaluated / kRuns / std::max<size_t>(1, run_.size()));
   for (int run = 0; run < kRuns; ++run) {

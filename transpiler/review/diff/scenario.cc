@@ -43,10 +43,10 @@ std::vector<CellId> CellsNamed(const DiffSide& side, const prove::machine::Versi
   return execute::CellsOf(*version.program, version.cells, location->place);
 }
 
-/// How a scenario names the word. Where a location has moved, its address is another one's in the new version: then by
-/// the symbol that moved with it, where there is one.
-std::string ScenarioName(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
-                         const CellWord& word) {
+/// A name of the word that means the same cells in both versions. Where a location has moved, its address is another
+/// one's in the new version: then the symbol that moved with it, where there is one.
+std::optional<std::string> NameInBoth(const DiffSide& old_side, const DiffSide& new_side,
+                                      const CounterexampleRequest& request, const CellWord& word) {
   if (!word.place) return word.name;
   std::vector<std::string> names{word.name};
   if (!word.place->name.empty() && word.place->name != word.name) names.push_back(word.place->name);
@@ -56,7 +56,13 @@ std::string ScenarioName(const DiffSide& old_side, const DiffSide& new_side, con
     for (CellId& cell : matched) cell = request.match.new_of_old[cell.index];
     if (matched == CellsNamed(new_side, request.new_version, request.new_words, name)) return name;
   }
-  return word.name;
+  return std::nullopt;
+}
+
+/// How a scenario names the word.
+std::string ScenarioName(const DiffSide& old_side, const DiffSide& new_side, const CounterexampleRequest& request,
+                         const CellWord& word) {
+  return NameInBoth(old_side, new_side, request, word).value_or(word.name);
 }
 
 /// Does a scenario of the old version know the name?
@@ -337,9 +343,10 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
   example.new_value = WordText(seen.word, seen.new_value);
   // What the language has no name for is seen in the simulator, and in no scenario.
   if (HasNoName(seen.word)) return std::nullopt;
-  const std::string name = ScenarioName(old_side, new_side, request, seen.word);
-  if (!IsKnownToOld(old_side, request, name)) return std::nullopt;
-  return "expect: {" + Quoted(name) + ": " + example.old_value + "}";
+  // Of what has another name in each version a scenario would show that the new one does not know it.
+  const std::optional<std::string> name = NameInBoth(old_side, new_side, request, seen.word);
+  if (!name || !IsKnownToOld(old_side, request, *name)) return std::nullopt;
+  return "expect: {" + Quoted(*name) + ": " + example.old_value + "}";
 }
 
 /// The inputs with the other bits of their words, as the old version has them then: a scenario sets words, and the new
