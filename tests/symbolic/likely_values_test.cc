@@ -73,6 +73,37 @@ class CountingSolver : public solver::Solver {
   int questions = 0;
 };
 
+/// Finds out what it is asked for the second time, when there is more time for it, and of one question only.
+class PatientSolver : public solver::Solver {
+ public:
+  explicit PatientSolver(terms::TermId solved) : solved_(solved) {}
+  void Assume(terms::TermId) override {}
+  void Push() override {}
+  void Pop() override {}
+  solver::Answer Check(std::span<const terms::TermId> conditions, const solver::Limit&) override {
+    const bool is_answered = conditions.front() == solved_ && ++times_ > 1;
+    return is_answered ? solver::Answer::kNever : solver::Answer::kUnknown;
+  }
+  uint64_t ValueOf(terms::TermId) override { return 0; }
+
+ private:
+  terms::TermId solved_;
+  int times_ = 0;
+};
+
+/// What a question about a pair has shown helps the pairs that are computed from it.
+TEST(Sweep, EqualPairsAreOneInLaterQuestions) {
+  terms::Terms terms;
+  const terms::TermId x = terms.Variable("x", 8), y = terms.Variable("y", 8), z = terms.Variable("z", 8);
+  const terms::TermId one = terms.And(x, terms.Or(y, z)), other = terms.Or(terms.And(x, y), terms.And(x, z));
+  const terms::TermId three = terms.Const(3, 8);
+  const std::array pairs{solver::TermPair{terms.Add(one, three), terms.Add(other, three)},
+                         solver::TermPair{one, other}};
+  PatientSolver solver(terms.Ne(one, other));
+  const std::vector<solver::Verdict> verdicts = solver::Compare(terms, solver, pairs, {});
+  EXPECT_EQ(verdicts, (std::vector{solver::Verdict::kEqual, solver::Verdict::kEqual}));
+}
+
 /// What is 0 but for three values of an index is not taken for 0: nothing is asked of the terms inside, nor of the
 /// pair.
 TEST(LikelyValues, TermsThatDifferForFewValuesAreNoCandidates) {

@@ -23,6 +23,7 @@ constexpr size_t kMostCandidates = 3;          // of one class that a term is co
 constexpr size_t kMostTermsToRefine = 20'000;  // a counterexample is evaluated on cones up to this size
 constexpr size_t kMostTermsToSpread = 2'000'000;
 constexpr size_t kMostTermsOfForm = 1000;
+constexpr uint32_t kShortShare = 8;  // of the time for a pair: for each of them before any has more
 constexpr size_t kMostRefutedFirst = 20;
 constexpr size_t kMostRefuted = 400;  // questions that were answered by "possible"; then no more are asked
 
@@ -44,6 +45,11 @@ class Sweeper {
   void EvaluateLikelyVector(int vector, terms::LikelyValues& likely);
   void AddToSignature(terms::TermId id, uint64_t value);
   void SweepTerm(terms::TermId id);
+  /// `id` with its operands as they are represented now.
+  terms::TermId Rebuilt(terms::TermId id);
+  void AskAboutPairs(std::vector<Verdict>& verdicts, uint32_t milliseconds);
+  /// What a question about a pair has shown to be equal is one from then on; false: nothing has.
+  bool TakeOver(const std::vector<Verdict>& verdicts);
   Answer Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds);
   bool Late() const { return deadline_.IsOver(); }
   terms::TermId Representative(terms::TermId id) const {
@@ -62,6 +68,9 @@ class Sweeper {
   std::vector<uint64_t> signatures_, values_;
   std::vector<uint64_t> class_of_;  // by TermId: the signature before the first question
   std::vector<terms::TermId> representative_;
+  std::vector<terms::TermId> equal_to_;  // by TermId: an earlier one, where a question has shown it
+  std::vector<TermPair> asked_;          // by pair: what was asked about last
+  uint32_t asked_ms_ = 0;                // how long each such question might take
   std::unordered_map<uint64_t, std::vector<terms::TermId>> classes_;  // looked up only
   terms::Random random_{0x9E3779B97F4A7C15};
 };
@@ -189,7 +198,7 @@ Answer Sweeper::Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds) 
   return known.answer;
 }
 
-void Sweeper::SweepTerm(terms::TermId id) {
+terms::TermId Sweeper::Rebuilt(terms::TermId id) {
   const terms::Term term = terms_[id];
   std::vector<terms::TermId> operands;
   bool changed = false;
@@ -197,7 +206,12 @@ void Sweeper::SweepTerm(terms::TermId id) {
     operands.push_back(Representative(operand));
     changed = changed || operands.back() != operand;
   });
-  terms::TermId now = changed ? Representative(terms_.Rebuild(term, operands)) : id;
+  return changed ? Representative(terms_.Rebuild(term, operands)) : id;
+}
+
+void Sweeper::SweepTerm(terms::TermId id) {
+  const uint8_t width = terms_.Width(id);
+  terms::TermId now = Rebuilt(id);
   // What became a term of the other side by its operands alone is found; a constant is its own best form; and what both
   // sides have in common needs no question.
   const bool found = now.index < sides_.size() && (sides_[now.index] | sides_[id.index]) == kBoth;
@@ -213,12 +227,13 @@ void Sweeper::SweepTerm(terms::TermId id) {
       if (other == now) break;
       // An answer to the question before may have told them apart.
       if (signatures_[member.index] != signatures_[id.index]) continue;
-      if (terms_.Width(other) != term.width || ++tried > kMostCandidates) continue;
+      if (terms_.Width(other) != width || ++tried > kMostCandidates) continue;
       // Two terms of one side are rarely worth a question.
       if (sides_[member.index] == sides_[id.index]) continue;
       const Answer answer = Differ(now, other, limits_.inner_ms);
       if (answer == Answer::kNever) {
         now = other;
+        equal_to_[id.index] = member;
         break;
       }
       if (answer == Answer::kPossible) {
@@ -257,25 +272,62 @@ std::vector<Verdict> Sweeper::Run() {
   }
   class_of_ = signatures_;
   representative_.assign(terms_.size(), terms::TermId());
+  equal_to_.assign(terms_.size(), terms::TermId());
   for (const terms::TermId id : cone_) SweepTerm(id);
+  asked_.resize(pairs_.size());
+  // What is soon shown makes the others easier.
+  for (const uint32_t milliseconds : {limits_.pair_ms / kShortShare, limits_.pair_ms}) {
+    AskAboutPairs(verdicts, milliseconds);
+    while (!Late() && TakeOver(verdicts)) AskAboutPairs(verdicts, milliseconds);
+  }
+  return verdicts;
+}
+
+void Sweeper::AskAboutPairs(std::vector<Verdict>& verdicts, uint32_t milliseconds) {
+  const auto open = static_cast<size_t>(std::ranges::count_if(pairs_, [](const TermPair& p) { return p.a != p.b; }));
   size_t done = 0;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     if (pairs_[i].a == pairs_[i].b) continue;
     if (limits_.progress) limits_.progress(++done, open);
     const terms::TermId a = Representative(pairs_[i].a), b = Representative(pairs_[i].b);
-    if (a == b) continue;
+    const bool is_known =
+        verdicts[i] == Verdict::kDifferent ||
+        (a == asked_[i].a && b == asked_[i].b && (verdicts[i] == Verdict::kEqual || milliseconds == asked_ms_));
+    asked_[i] = {a, b};
+    if (is_known) continue;
+    if (a == b) {
+      verdicts[i] = Verdict::kEqual;
+      continue;
+    }
     // An answer to another pair may show this one, too.
     if (limits_.any_values_count && signatures_[pairs_[i].a.index] != signatures_[pairs_[i].b.index]) {
       verdicts[i] = Verdict::kDifferent;
       continue;
     }
-    const Answer answer = Late() ? Answer::kUnknown : Differ(a, b, limits_.pair_ms);
+    const Answer answer = Late() ? Answer::kUnknown : Differ(a, b, milliseconds);
     if (limits_.any_values_count && answer == Answer::kPossible) Refine(a, b, kMostTermsToSpread);
     verdicts[i] = answer == Answer::kNever      ? Verdict::kEqual
                   : answer == Answer::kPossible ? Verdict::kDifferent
                                                 : Verdict::kUndecided;
   }
-  return verdicts;
+  asked_ms_ = milliseconds;
+}
+
+bool Sweeper::TakeOver(const std::vector<Verdict>& verdicts) {
+  if (std::ranges::find(verdicts, Verdict::kUndecided) == verdicts.end()) return false;
+  bool is_any = false;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    const auto [first, last] = std::minmax(pairs_[i].a, pairs_[i].b);
+    if (verdicts[i] != Verdict::kEqual || Representative(first) == Representative(last)) continue;
+    equal_to_[last.index] = first;
+    is_any = true;
+  }
+  if (!is_any) return false;
+  for (const terms::TermId id : cone_) {
+    const terms::TermId equal = equal_to_[id.index];
+    representative_[id.index] = equal.valid() ? Representative(equal) : Rebuilt(id);
+  }
+  return true;
 }
 
 }  // namespace
