@@ -14,8 +14,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
+
+#include "transpiler/support/system_words.h"
 
 extern char** environ;
 
@@ -32,7 +36,27 @@ std::vector<char*> Pointers(const std::vector<std::string>& arguments) {
   return pointers;
 }
 
-/// With `stops`, the child is the first of a process group of its own, which is killed whole.
+/// Of what a program makes of its own while it runs, such as a compiler's assembly: it would stay when it is killed.
+const std::string& ScratchPath() {
+  static const TemporaryDirectory scratch;
+  return scratch.path();
+}
+
+/// Ours, with another TMPDIR. `words` has what the pointers point to.
+std::vector<char*> EnvironmentOf(std::vector<std::string>& words) {
+  constexpr std::string_view kName = "TMPDIR=";
+  for (char** word = environ; *word != nullptr; ++word) {
+    if (ScratchPath().empty() || !std::string_view(*word).starts_with(kName)) words.emplace_back(*word);
+  }
+  if (!ScratchPath().empty()) {
+    std::error_code ignored;
+    words.push_back(std::string(kName) + std::filesystem::absolute(ScratchPath(), ignored).string());
+  }
+  return Pointers(words);
+}
+
+/// The child leads a process group of its own, which is killed whole; that of a process which was forked stays in the
+/// group of that one, which is killed whole as well.
 ProcessResult Run(const std::vector<std::string>& arguments, int seconds, const std::string& directory,
                   const std::function<bool()>* stops) {
   ProcessResult result;
@@ -46,10 +70,13 @@ ProcessResult Run(const std::vector<std::string>& arguments, int seconds, const 
   if (!directory.empty()) posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  if (stops != nullptr) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  CleanUpAtEndSignals();
+  if (CleansUp()) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t pid = -1;
   const std::vector<char*> pointers = Pointers(arguments);
-  const int failed = posix_spawnp(&pid, pointers[0], &actions, &attributes, pointers.data(), environ);
+  std::vector<std::string> variables;
+  const std::vector<char*> environment = EnvironmentOf(variables);
+  const int failed = posix_spawnp(&pid, pointers[0], &actions, &attributes, pointers.data(), environment.data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   close(fds[1]);
@@ -57,6 +84,7 @@ ProcessResult Run(const std::vector<std::string>& arguments, int seconds, const 
     close(fds[0]);
     return result;
   }
+  NotedGroup noted(pid);
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
   char buffer[4096];
   for (;;) {
@@ -68,7 +96,7 @@ ProcessResult Run(const std::vector<std::string>& arguments, int seconds, const 
     const bool is_interrupted = ready < 0 && errno == EINTR;
     const bool goes_on = is_interrupted || (ready == 0 && left > wait);
     if (left <= 0 || (ready <= 0 && !goes_on) || (stops != nullptr && (*stops)())) {
-      kill(stops == nullptr ? pid : -pid, SIGKILL);
+      kill(CleansUp() ? -pid : pid, SIGKILL);
       break;
     }
     if (ready <= 0) continue;
@@ -78,23 +106,51 @@ ProcessResult Run(const std::vector<std::string>& arguments, int seconds, const 
   }
   close(fds[0]);
   int status = 0;
+  noted.Forget();
   while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
+  WaitIfEnding();
   if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
   return result;
 }
 
 }  // namespace
 
+std::string TemporaryPlace() {
+  const char* const base = std::getenv("TMPDIR");
+  return base != nullptr && *base != '\0' ? base : "/tmp";
+}
+
 TemporaryDirectory::TemporaryDirectory() {
-  const char* base = std::getenv("TMPDIR");
-  std::string pattern = std::string(base != nullptr && *base != '\0' ? base : "/tmp") + "/plcxx-XXXXXX";
-  if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
+  std::string pattern = TemporaryPlace() + "/plcxx-XXXXXX";
+  if (mkdtemp(pattern.data()) == nullptr) {
+    problem_ = errno;
+    return;
+  }
+  path_ = pattern;
+  noted_.Note(path_);
 }
 
 TemporaryDirectory::~TemporaryDirectory() {
   std::error_code ignored;
   if (valid()) std::filesystem::remove_all(path_, ignored);
+}
+
+std::string TemporaryDirectory::WhyNot() const {
+  return "cannot write temporary files below '" + TemporaryPlace() + "': " + Cause() + "; " +
+         std::string(kTemporaryRemedy);
+}
+
+std::string TemporaryDirectory::Cause() const {
+  if (problem_ != 0) return support::SystemWords(problem_);
+  // What others wrote they wrote as streams, which do not tell.
+  const std::string page(64u << 10, '0');
+  std::FILE* const probe = std::fopen((path_ + "/room").c_str(), "wb");
+  const bool has_room =
+      probe != nullptr && std::fwrite(page.data(), 1, page.size(), probe) == page.size() && std::fflush(probe) == 0;
+  const int problem = has_room ? ENOSPC : errno;
+  if (probe != nullptr) std::fclose(probe);
+  return support::SystemWords(problem);
 }
 
 bool TemporaryDirectory::Write(const std::string& name, std::string_view text) const {
@@ -118,6 +174,7 @@ ChildProcess::~ChildProcess() {
   if (from_child_ >= 0) close(from_child_);
   if (pid_ > 0) {
     kill(pid_, SIGKILL);
+    noted_.Forget();
     waitpid(pid_, nullptr, 0);
   }
 }
@@ -134,16 +191,24 @@ bool ChildProcess::Start(const std::vector<std::string>& arguments) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, down[0], 0);
   posix_spawn_file_actions_adddup2(&actions, up[1], 1);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  CleanUpAtEndSignals();
+  if (CleansUp()) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   const std::vector<char*> pointers = Pointers(arguments);
   pid_t pid = -1;
-  const int failed = posix_spawnp(&pid, pointers[0], &actions, nullptr, pointers.data(), environ);
+  const int failed = posix_spawnp(&pid, pointers[0], &actions, &attributes, pointers.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   close(down[0]);
   close(up[1]);
   to_child_ = down[1];
   from_child_ = up[0];
   fcntl(to_child_, F_SETFL, O_NONBLOCK);  // Send waits for both directions
-  if (failed == 0) pid_ = pid;
+  if (failed == 0) {
+    pid_ = pid;
+    noted_.Note(pid);
+  }
   return failed == 0;
 }
 
@@ -168,7 +233,10 @@ bool ChildProcess::Send(std::string_view bytes) {
 bool ChildProcess::Fetch() {
   std::array<char, 65536> bytes;  // as many as a pipe holds
   const ssize_t count = read(from_child_, bytes.data(), bytes.size());
-  if (count <= 0) return false;
+  if (count <= 0) {
+    WaitIfEnding();
+    return false;
+  }
   fetched_.erase(0, std::exchange(taken_, 0));
   fetched_.append(bytes.data(), static_cast<size_t>(count));
   return true;

@@ -7,9 +7,15 @@
 #include <string_view>
 #include <vector>
 
+#include "transpiler/compile/end_signals.h"
+
 namespace plcxx::compile {
 
-/// A directory that disappears with the object.
+/// Where temporary directories are made, and what to do when they cannot be.
+std::string TemporaryPlace();
+inline constexpr std::string_view kTemporaryRemedy = "let TMPDIR name a folder with room and rights";
+
+/// A directory that disappears with the object, and when a signal ends the process.
 class TemporaryDirectory {
  public:
   TemporaryDirectory();
@@ -19,9 +25,14 @@ class TemporaryDirectory {
   const std::string& path() const { return path_; }
   bool valid() const { return !path_.empty(); }
   bool Write(const std::string& name, std::string_view text) const;
+  /// Where there is none, or something could not be written into it: place, cause and remedy; the cause alone.
+  std::string WhyNot() const;
+  std::string Cause() const;
 
  private:
   std::string path_;
+  int problem_ = 0;  // why there is none
+  NotedDirectory noted_;
 };
 
 struct ProcessResult {
@@ -29,10 +40,10 @@ struct ProcessResult {
   std::string output;  // standard output and error together
 };
 
-/// Runs a program to its end in `directory` (empty: the current one); it is killed after `seconds`.
+/// Runs a program to its end in `directory` (empty: the current one). It is killed after `seconds`, and when a signal
+/// ends this process, together with all that it started; its temporary files go with it.
 ProcessResult RunProcess(const std::vector<std::string>& arguments, int seconds, const std::string& directory = {});
-/// The same; it is killed together with all that it started when its time is over or `stops` says so, which is asked
-/// several times a second.
+/// The same; it is killed when `stops` says so, too, which is asked several times a second.
 ProcessResult RunProcessGroup(const std::vector<std::string>& arguments, int seconds, const std::string& directory,
                               const std::function<bool()>& stops);
 
@@ -55,6 +66,7 @@ class ChildProcess {
   bool Fetch();
 
   int pid_ = -1;
+  NotedGroup noted_;
   int to_child_ = -1;
   int from_child_ = -1;
   std::string fetched_;

@@ -17,6 +17,7 @@
 #include <system_error>
 #include <utility>
 
+#include "transpiler/compile/end_signals.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/support/file_names.h"
 #include "transpiler/support/system_words.h"
@@ -96,7 +97,8 @@ class DelayedSignals {
     keep.sa_handler = [](int signal) { ended_by = signal; };
     for (size_t i = 0; i < kSignals.size(); ++i) {
       sigaction(kSignals[i], nullptr, &before_[i]);
-      if (before_[i].sa_handler == SIG_DFL) sigaction(kSignals[i], &keep, nullptr);
+      const auto before = before_[i].sa_handler;
+      if (before == SIG_DFL || compile::IsEndSignalHandler(before)) sigaction(kSignals[i], &keep, nullptr);
     }
   }
   DelayedSignals(const DelayedSignals&) = delete;

@@ -9,6 +9,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "transpiler/compile/child_process.h"
+#include "transpiler/compile/end_signals.h"
 
 namespace plcxx::mcp {
 namespace {
@@ -40,9 +45,11 @@ class Pipe {
   bool valid_ = false;
 };
 
-[[noreturn]] void BecomeChild(std::vector<char*>& words, const std::string& directory, const Pipe& output,
-                              const Pipe& errors) {
+/// `scratch`: for its temporary files, which it leaves behind when it is killed.
+[[noreturn]] void BecomeChild(std::vector<char*>& words, const std::string& directory, const std::string& scratch,
+                              const Pipe& output, const Pipe& errors) {
   setpgid(0, 0);
+  if (!scratch.empty()) setenv("TMPDIR", scratch.c_str(), 1);
   signal(SIGPIPE, SIG_DFL);
   const int nothing = open("/dev/null", O_RDONLY);
   const bool ready = nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 && dup2(output.writing(), STDOUT_FILENO) >= 0 &&
@@ -62,6 +69,19 @@ bool ReadSome(int from, std::string& to, size_t limit, bool& cut_off) {
   return count > 0;
 }
 
+/// First as a user would: it ends what it has started, which is not in its group.
+void EndInTime(pid_t child) {
+  constexpr int kPauses = 100;
+  constexpr std::chrono::milliseconds kPause(20);
+  kill(-child, SIGTERM);
+  siginfo_t ended = {};
+  for (int i = 0; i < kPauses && ended.si_pid == 0; ++i) {
+    std::this_thread::sleep_for(kPause);
+    if (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) != 0) break;
+  }
+  kill(-child, SIGKILL);
+}
+
 }  // namespace
 
 ChildResult RunChild(const std::vector<std::string>& arguments, const std::string& directory, const Limits& limits) {
@@ -71,10 +91,12 @@ ChildResult RunChild(const std::vector<std::string>& arguments, const std::strin
   std::vector<char*> words;
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);
+  const compile::TemporaryDirectory scratch;
   const pid_t child = fork();
   if (child < 0) return result;
-  if (child == 0) BecomeChild(words, directory, output, errors);
+  if (child == 0) BecomeChild(words, directory, scratch.path(), output, errors);
   setpgid(child, child);  // whoever comes first
+  compile::NotedGroup noted(child);
   output.CloseWriting();
   errors.CloseWriting();
 
@@ -93,8 +115,9 @@ ChildResult RunChild(const std::vector<std::string>& arguments, const std::strin
     if (ends[1].revents != 0 && !ReadSome(ends[1].fd, result.errors, limits.output_bytes, result.cut_off))
       ends[1].fd = -1;
   }
-  if (result.timed_out) kill(-child, SIGKILL);
   int status = 0;
+  if (result.timed_out) EndInTime(child);
+  noted.Forget();
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   kill(-child, SIGKILL);  // what it has left behind

@@ -1,4 +1,4 @@
-// A folder for what is shown and not kept; it goes with the object.
+// A folder for what is shown and not kept; it goes with the object, and when a signal ends the server.
 #pragma once
 
 #include <cstdlib>
@@ -8,12 +8,15 @@
 #include <string>
 #include <system_error>
 
+#include "transpiler/compile/end_signals.h"
+
 namespace plcxx::mcp {
 
 class TemporaryFolder {
  public:
   TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "plcxx-mcp-XXXXXX").string()) {
     if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("there is no room for a temporary folder");
+    noted_.Note(path_);
   }
   ~TemporaryFolder() {
     std::error_code ignored;
@@ -25,6 +28,7 @@ class TemporaryFolder {
 
  private:
   std::string path_;
+  compile::NotedDirectory noted_;
 };
 
 }  // namespace plcxx::mcp

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,8 +17,10 @@
 #include <deque>
 #include <exception>
 #include <list>
+#include <memory>
 #include <utility>
 
+#include "transpiler/compile/end_signals.h"
 #include "transpiler/support/exit_code.h"
 
 namespace plcxx::scenarios {
@@ -33,6 +36,7 @@ void EndGroup(int /*signal*/) { kill(0, SIGKILL); }
 
 struct Child {
   pid_t pid = -1;
+  std::unique_ptr<compile::NotedGroup> noted;
   int pipe = -1;
   std::FILE* errors = nullptr;  // its standard error
   ItemGroup left;               // not reported yet
@@ -42,6 +46,14 @@ struct Child {
   bool late = false;
   std::string bytes;  // received, not yet understood
 };
+
+/// No folder is asked for room.
+std::FILE* FileInMemory() {
+  const int descriptor = memfd_create("standard error", MFD_CLOEXEC);
+  std::FILE* const file = descriptor < 0 ? nullptr : fdopen(descriptor, "w+b");
+  if (file == nullptr && descriptor >= 0) close(descriptor);
+  return file;
+}
 
 std::string TextOf(std::FILE* file) {
   std::string text(kMostErrorBytes, '\0');
@@ -71,6 +83,7 @@ class Pool {
       : waiting_(groups.begin(), groups.end()), options_(options), work_(work), ended_(ended) {}
 
   void Run() {
+    compile::CleanUpAtEndSignals();  // before anything is forked: this process cleans up
     while (!waiting_.empty() || !children_.empty()) {
       while (!waiting_.empty() && children_.size() < std::max(1U, options_.jobs)) {
         ItemGroup items = std::move(waiting_.front());
@@ -84,7 +97,7 @@ class Pool {
  private:
   void Start(ItemGroup items) {
     int ends[2];
-    std::FILE* const errors = std::tmpfile();
+    std::FILE* const errors = FileInMemory();
     if (errors == nullptr || pipe2(ends, O_CLOEXEC) != 0) {
       if (errors != nullptr) std::fclose(errors);
       return FailAll(items);
@@ -104,6 +117,7 @@ class Pool {
     setpgid(pid, pid);  // here and in the child: whoever comes first
     Child& child = children_.emplace_back();
     child.pid = pid;
+    child.noted = std::make_unique<compile::NotedGroup>(pid);
     child.pipe = ends[0];
     child.errors = errors;
     child.left = std::move(items);
@@ -203,8 +217,10 @@ class Pool {
     children_.erase(ended);
     close(child.pipe);
     int status = 0;
+    child.noted->Forget();
     while (waitpid(child.pid, &status, 0) < 0 && errno == EINTR) continue;
     kill(-child.pid, SIGKILL);  // what it left behind
+    compile::WaitIfEnding();
     if (!child.current && child.left.size() == 1) child.current = child.left.front();
     if (child.left.empty()) {
       // Nothing is missing.

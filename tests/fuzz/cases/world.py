@@ -4,7 +4,7 @@
     world.py PLCXX
 
 Full disks (a limit of the size of files), places that cannot be written, directories where files are meant, closed and full
-standard output, several runs into one directory, SIGTERM in the middle, names of files that hold everything a name can.
+standard output, several runs into one directory, signals in the middle, names of files that hold everything a name can.
 """
 import argparse
 import concurrent.futures
@@ -161,6 +161,51 @@ def killed(place):
             check(whole.get(name, data) == data, "killed: torn", name)
 
 
+def leftovers(place):
+    """A signal in the middle of a compiler's work: neither its temporary files nor what it has started stay."""
+    (place.folder / "o.plc").write_text("$\nU4A0=I0A0\n")
+    (place.folder / "n.plc").write_text("$\nU4A0=I0A1\n")
+    (place.folder / "o.yaml").write_text("dialect: nc110\nsources: [o.plc]\nsteps:\n- run: {slow: 1}\n")
+    slow = place.folder / "slow"  # a compiler that has begun and does not end, in a process of its own
+    slow.write_text('#!/bin/sh\ncase "$*" in *--version*) exec c++ --version;; esac\nsleep 1000 & echo $! >> children\n: > "$TMPDIR/mine"\nwait\n')
+    slow.chmod(0o755)
+    for words in (["test", "o.yaml", "--cxx", "./slow"], ["diff", "o.plc", "n.plc"], ["build", "o.plc", "--target", "host", "-o", "kept", "--compiler", str(slow)],
+                  ["soak", "o.plc", "--engine", "fleet", "--for", "1min", "--cxx", "./slow"]):
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGPIPE):
+            temporary, children = place.folder / "temporary", place.folder / "children"
+            temporary.mkdir()
+            children.write_text("")
+            process = subprocess.Popen([place.plcxx, *words], cwd=place.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                       env={**os.environ, "TMPDIR": str(temporary), "CXX": str(slow)})
+            end = time.monotonic() + 60
+            while not children.read_text().endswith("\n") and process.poll() is None and time.monotonic() < end:
+                time.sleep(0.02)
+            time.sleep(0.05)
+            process.send_signal(number)
+            process.wait(60)
+            check(process.returncode == -number, "leftovers: exit", process.returncode, words[0], number)
+            end = time.monotonic() + 10
+            while True:
+                left = list(temporary.rglob("*"))
+                alive = [child for child in children.read_text().split() if is_running(child)]
+                if (not left and not alive) or time.monotonic() > end:
+                    break
+                time.sleep(0.05)
+            check(not left, "leftovers: files", words[0], number, [str(path.relative_to(temporary)) for path in left])
+            check(not alive, "leftovers: processes", words[0], number)
+            for child in alive:
+                os.kill(int(child), signal.SIGKILL)
+            shutil.rmtree(temporary)
+    check(not (place.folder / "kept").exists(), "leftovers: output of build")
+
+
+def is_running(process):
+    try:
+        return pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except OSError:
+        return False
+
+
 def names(place):
     for name in NAMES:
         try:
@@ -178,7 +223,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("plcxx")
     args = parser.parse_args()
-    attempts = (full_disk, keeps_the_old, wrong_places, outputs, together, killed, names)
+    attempts = (full_disk, keeps_the_old, wrong_places, outputs, together, killed, leftovers, names)
     for attempt in attempts:
         with tempfile.TemporaryDirectory(prefix="plcxx_world_") as folder:
             attempt(Place(str(pathlib.Path(args.plcxx).resolve()), folder))
