@@ -210,6 +210,32 @@ TEST_F(TestCommand, WhatTheCompilerSaysIsShown) {
   EXPECT_EQ(Run("good.yaml --engine fast").exit_code, 2);
 }
 
+TEST_F(TestCommand, ACompilerMayStandBehindALauncher) {
+  EXPECT_EQ(Run("good.yaml --engine host --cxx 'env c++'").exit_code, 0);
+  fs::create_directories(root_ / "a folder");
+  Write("a folder/cxx", "#!/bin/sh\nexec c++ \"$@\"\n");
+  fs::permissions(root_ / "a folder/cxx", fs::perms::owner_all);
+  const compile::ProcessResult result = Run("good.yaml --engine host --cxx \"$PWD/a folder/cxx\"");
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+}
+
+TEST_F(TestCommand, AProgramThatCannotBeExecutedIsToldAsThat) {
+  EXPECT_THAT(Run("good.yaml --cxx true").output, HasSubstr("'true' reported no error, and has made no program"));
+  // As on a disk that is mounted noexec.
+  Write("cxx", "#!/bin/sh\nwhile [ $# -gt 1 ]; do [ \"$1\" = -o ] && : > \"$2\"; shift; done\n");
+  fs::permissions(root_ / "cxx", fs::perms::owner_all);
+  EXPECT_THAT(Run("good.yaml --cxx ./cxx").output,
+              testing::AllOf(HasSubstr("may not be executed: let TMPDIR name"), HasSubstr("noexec")));
+}
+
+TEST_F(TestCommand, WithoutARoomForTemporaryFilesItSaysWhere) {
+  const compile::ProcessResult result =
+      compile::RunProcess({"env", "TMPDIR=/nosuch", PLCXX_BINARY, "test", (root_ / "good.yaml").string()}, kSeconds);
+  EXPECT_EQ(result.exit_code, 2) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("cannot write temporary files below '/nosuch': no such file or directory; let "
+                                       "TMPDIR name a folder with room and rights"));
+}
+
 TEST_F(TestCommand, OptionsOfTheCommandLineGiveWayToTheScenario) {
   const std::string steps = "sources: [coil.plc]\nsteps:\n- run: {slow: 1}\n- set: {I0A3: 1}\n- run: {slow: 1}\n";
   Write("plain.yaml", "dialect: nc110\n" + steps);

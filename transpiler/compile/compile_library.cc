@@ -107,11 +107,9 @@ std::optional<RefusedSource> CompileAll(const LibraryRequest& request, const std
 
 }  // namespace
 
-std::variant<Library, RefusedSource> CompileLibrary(const LibraryRequest& request) {
+std::variant<Library, RefusedSource, NoRoom> CompileLibrary(const LibraryRequest& request) {
   std::vector<std::string> sources;
-  if (!WriteSources(request, sources)) {
-    return RefusedSource{"", "cannot write into the temporary directory " + request.directory, ""};
-  }
+  if (!WriteSources(request, sources)) return NoRoom{};
   KnownObjects objects = TakeUnchanged(request);
   std::vector<std::string> changed;
   for (const std::string& source : sources) {

@@ -25,6 +25,9 @@ struct LibraryRequest {
   std::function<void(std::string_view)> progress;
 };
 
+/// What the compiler is to read cannot be written into the directory.
+struct NoRoom {};
+
 struct RefusedSource {
   std::string source;   // its name; empty: the archiver
   std::string message;  // the first line with a fault
@@ -37,6 +40,6 @@ struct Library {
   std::string record;                // the text of lib<name>.objects, for the next build (known_objects.h)
 };
 
-std::variant<Library, RefusedSource> CompileLibrary(const LibraryRequest& request);
+std::variant<Library, RefusedSource, NoRoom> CompileLibrary(const LibraryRequest& request);
 
 }  // namespace plcxx::compile

@@ -1,8 +1,10 @@
 #include "transpiler/compile/toolchain.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "transpiler/compile/child_process.h"
 
@@ -51,13 +53,6 @@ std::string PackageOf(const Target& target, const std::string& command) {
   return "the package that has it";
 }
 
-std::vector<std::string> Words(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
-
 /// Empty when it cannot be run.
 std::string VersionOf(std::vector<std::string> command) {
   command.emplace_back("--version");
@@ -84,11 +79,20 @@ std::string FindArchiver(const Target& target) {
 
 }  // namespace
 
+std::vector<std::string> CommandWords(const std::string& command) {
+  std::error_code error;
+  if (command.find('/') != std::string::npos && std::filesystem::is_regular_file(command, error)) return {command};
+  std::istringstream stream(command);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
 std::variant<Toolchain, MissingTool> FindToolchain(const Target& target, const std::string& compiler) {
   const std::vector<std::string> candidates = Candidates(target, compiler);
   for (const std::string& candidate : candidates) {
     Toolchain toolchain;
-    toolchain.command = Words(candidate);
+    toolchain.command = CommandWords(candidate);
     if (toolchain.command.empty()) continue;
     toolchain.version = VersionOf(toolchain.command);
     if (toolchain.version.empty()) continue;

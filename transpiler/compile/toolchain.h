@@ -21,6 +21,9 @@ struct MissingTool {
   std::string package;  // of Debian
 };
 
+/// A compiler as users name it: the path of a file, or words separated by blanks, such as "ccache g++".
+std::vector<std::string> CommandWords(const std::string& command);
+
 /// `compiler`: as --compiler takes it, words separated by blanks; empty: the target's own GCC, on the host what CXX
 /// names or the system has.
 std::variant<Toolchain, MissingTool> FindToolchain(const Target& target, const std::string& compiler);

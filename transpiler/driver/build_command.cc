@@ -137,6 +137,11 @@ class Build {
   std::string Table() const { return figures_ ? measure::BuildTable(*figures_, Way(), compilation_.name) : ""; }
 
  private:
+  void ReportNoRoom(const compile::TemporaryDirectory& directory) {
+    ReportCannotWrite({compile::TemporaryPlace(), directory.Cause(), std::string(compile::kTemporaryRemedy)},
+                      compilation_);
+  }
+
   measure::BuildWay Way() const {
     return {.target = &target_, .toolchain = &toolchain_, .level = settings_.level, .clock_hz = clock_hz_};
   }
@@ -169,11 +174,7 @@ class Build {
     std::vector<emit::OutputFile> sources = files_;
     if (!settings_.no_identity) AddIdentity(IdentityOf(compilation_, files_), compilation_.name, sources);
     const compile::TemporaryDirectory directory;
-    if (!directory.valid()) {
-      ReportCannotWrite({"a temporary directory", "it cannot be made", "let TMPDIR name a folder with room and rights"},
-                        compilation_);
-      return false;
-    }
+    if (!directory.valid()) return ReportNoRoom(directory), false;
     auto compiled = compile::CompileLibrary({.target = &target_,
                                              .toolchain = &toolchain_,
                                              .name = compilation_.name,
@@ -183,6 +184,7 @@ class Build {
                                              .directory = directory.path(),
                                              .previous = settings_.output.directory,
                                              .progress = [this](std::string_view text) { progress_.Show(text); }});
+    if (std::holds_alternative<compile::NoRoom>(compiled)) return ReportNoRoom(directory), false;
     if (const auto* refused = std::get_if<compile::RefusedSource>(&compiled)) {
       progress_.Clear();
       std::cerr << refused->output;

@@ -1,5 +1,8 @@
 #include "transpiler/engines/compiled_program.h"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <utility>
 
 #include "transpiler/emit/legalize/legalize.h"
@@ -15,20 +18,20 @@ class Batch {
   Batch(const std::shared_ptr<const Platform>& platform, std::span<const ProgramToCompile> programs)
       : platform_(platform), programs_(programs), executable_(std::make_shared<Executable>()) {}
 
-  /// None: compiled.
+  /// None: compiled, and it can be started.
   std::variant<std::monostate, CompileFailure> Compile(int seconds) {
     const compile::TemporaryDirectory& directory = executable_->directory();
-    if (!directory.valid()) return CompileFailure{"cannot create a temporary directory"};
+    if (!directory.valid()) return CompileFailure{directory.WhyNot()};
     arguments_ = platform_->compile;
     arguments_.insert(arguments_.end(), {"-I", directory.path(), "-o", executable_->path()});
     bool written = true;
     for (const ProgramToCompile& program : programs_) written = Emit(program) && written;
     written = directory.Write("harness.cpp", HarnessText(emitted_)) && written;
-    if (!written) return CompileFailure{"cannot write into the temporary directory " + directory.path()};
+    if (!written) return CompileFailure{directory.WhyNot()};
     arguments_.push_back(directory.path() + "/harness.cpp");
     arguments_.insert(arguments_.end(), platform_->link.begin(), platform_->link.end());
     const compile::ProcessResult result = compile::RunProcess(arguments_, seconds);
-    if (result.exit_code == 0) return std::monostate();
+    if (result.exit_code == 0) return WhyItCannotStart();
     std::string first = FirstLines(result.output);
     const bool silent = first.find_first_not_of(" \r\n") == std::string::npos;
     if (silent && (result.exit_code < 0 || result.exit_code == 127)) {
@@ -51,6 +54,14 @@ class Batch {
   }
 
  private:
+  /// An emulator only reads the file.
+  std::variant<std::monostate, CompileFailure> WhyItCannotStart() const {
+    if (access(executable_->path().c_str(), platform_->emulator.empty() ? X_OK : R_OK) == 0) return std::monostate();
+    if (errno != EACCES) return CompileFailure{"'" + arguments_[0] + "' reported no error, and has made no program"};
+    return CompileFailure{"programs in '" + executable_->directory().path() +
+                          "' may not be executed: let TMPDIR name a folder of a disk that is not mounted noexec"};
+  }
+
   /// Whether its files could be written.
   bool Emit(const ProgramToCompile& program) {
     const compile::TemporaryDirectory& directory = executable_->directory();

@@ -6,6 +6,7 @@
 
 #include "transpiler/compile/runtime_files.h"
 #include "transpiler/compile/target.h"
+#include "transpiler/compile/toolchain.h"
 #include "transpiler/engines/embedded_consoles.h"
 #include "transpiler/support/check.h"
 
@@ -51,20 +52,20 @@ std::string Missing(std::string_view engine, const std::string& command, std::st
   return "engine '" + std::string(engine) + "' needs '" + command + "': install " + std::string(package);
 }
 
-CompileFailure CannotWrite() { return {"cannot write into a temporary directory"}; }
-
 }  // namespace
 
 PlatformOrFailure MakeHostPlatform(const std::string& compiler) {
   auto platform = std::make_shared<Platform>();
   const compile::TemporaryDirectory& shared = platform->shared;
   if (!shared.valid() || !compile::WriteRuntime(shared.path()) || !shared.Write("console.h", ConsoleFile("host.h"))) {
-    return CannotWrite();
+    return CompileFailure{shared.WhyNot()};
   }
   platform->name = "compiled";
   // Such a program runs for milliseconds and is compiled for a second: what is inlined although nothing is optimized
   // was more than half of the compiler's time, so the attribute becomes one without effect.
-  platform->compile = {compiler, "-std=c++17", "-O0", "-Dalways_inline=unused", "-w", "-I", shared.path()};
+  platform->compile = compile::CommandWords(compiler);
+  platform->compile.insert(platform->compile.end(),
+                           {"-std=c++17", "-O0", "-Dalways_inline=unused", "-w", "-I", shared.path()});
   return platform;
 }
 
@@ -92,12 +93,12 @@ PlatformOrFailure MakeEmulatedPlatform(std::string_view name) {
   platform->emulator.emplace_back("-kernel");
 
   const compile::TemporaryDirectory& shared = platform->shared;
-  if (!shared.valid() || !compile::WriteRuntime(shared.path())) return CannotWrite();
+  if (!shared.valid() || !compile::WriteRuntime(shared.path())) return CompileFailure{shared.WhyNot()};
   bool written = shared.Write("console.h", ConsoleFile("emulated.h"));
   for (const std::string_view file :
        {std::string_view("processor.h"), std::string_view("emulated.cc"), machine->processor, machine->script})
     written = written && shared.Write(std::string(file), ConsoleFile(file));
-  if (!written) return CannotWrite();
+  if (!written) return CompileFailure{shared.WhyNot()};
 
   platform->compile = {compiler};
   for (const std::string& flag : compile::FlagsOf(*target)) platform->compile.push_back(flag);

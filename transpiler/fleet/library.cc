@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "transpiler/compile/runtime_files.h"
+#include "transpiler/compile/toolchain.h"
 #include "transpiler/fleet/embedded_runtime.h"
 #include "transpiler/fleet/specialize.h"
 #include "transpiler/support/sha256.h"
@@ -15,17 +16,10 @@ namespace {
 constexpr int kMostCompileSeconds = 600;
 
 std::vector<std::string> Command(const LibraryRequest& request, unsigned lanes) {
-  std::vector<std::string> command = {request.compiler,
-                                      "-std=c++17",
-                                      "-O" + request.level,
-                                      "-w",
-                                      "-fPIC",
-                                      "-shared",
-                                      "-ffp-contract=off",
-                                      "-fno-exceptions",
-                                      "-fno-rtti",
-                                      "-DPLCXX_FLEET_WORDS=" + std::to_string(lanes / 64),
-                                      "-DPLCXX_FLEET_FORCES=" + std::to_string(request.forces ? 1 : 0)};
+  std::vector<std::string> command = compile::CommandWords(request.compiler);
+  command.insert(command.end(), {"-std=c++17", "-O" + request.level, "-w", "-fPIC", "-shared", "-ffp-contract=off",
+                                 "-fno-exceptions", "-fno-rtti", "-DPLCXX_FLEET_WORDS=" + std::to_string(lanes / 64),
+                                 "-DPLCXX_FLEET_FORCES=" + std::to_string(request.forces ? 1 : 0)});
 #if defined(__x86_64__)
   if (lanes >= 256) command.emplace_back("-mavx2");
   if (lanes >= 512) {
@@ -57,7 +51,9 @@ bool WriteHeaders(const compile::TemporaryDirectory& directory) {
 std::string CachePlace(const LibraryRequest& request, const std::vector<std::string>& command,
                        const std::string& text) {
   if (request.cache.empty()) return {};
-  std::string all = text + compile::RunProcess({request.compiler, "--version"}, 10).output;
+  std::vector<std::string> version = compile::CommandWords(request.compiler);
+  version.emplace_back("--version");
+  std::string all = text + compile::RunProcess(version, 10).output;
   for (const std::string& word : command) all += word + "\n";
   for (unsigned i = 0; i < kFleetRuntimeCount; ++i) all.append(kFleetRuntime[i].text, kFleetRuntime[i].size);
   for (const compile::RuntimeFile& file : compile::RuntimeFiles()) all += file.text;
@@ -72,8 +68,7 @@ std::string CachePlace(const LibraryRequest& request, const std::vector<std::str
 std::string Compile(const LibraryRequest& request, std::vector<std::string> command, const std::string& text,
                     const std::string& place) {
   const compile::TemporaryDirectory directory;
-  if (!directory.valid() || !WriteHeaders(directory) || !directory.Write("fleet.cpp", text))
-    return "cannot write into a temporary directory";
+  if (!directory.valid() || !WriteHeaders(directory) || !directory.Write("fleet.cpp", text)) return directory.WhyNot();
   // Beside its place first: another process may look for it meanwhile.
   const std::string made = place + "." + std::filesystem::path(directory.path()).filename().string();
   command.insert(command.end(), {"-I", directory.path(), "-o", made, directory.path() + "/fleet.cpp"});
@@ -81,6 +76,8 @@ std::string Compile(const LibraryRequest& request, std::vector<std::string> comm
   if (result.exit_code != 0)
     return "'" + request.compiler + "' cannot compile the code of a fleet:\n" + FirstLines(result.output);
   std::error_code error;
+  if (!std::filesystem::exists(made, error))
+    return "'" + request.compiler + "' reported no error, and has made no code";
   std::filesystem::rename(made, place, error);
   return error ? "cannot write '" + place + "'" : std::string();
 }
@@ -115,7 +112,7 @@ LibraryOrFailure CompileFleet(const ir::Program& program, const LibraryRequest& 
   library->share = code.share;
   const std::vector<std::string> command = Command(request, library->lanes);
   const compile::TemporaryDirectory directory;
-  if (!directory.valid()) return std::string("cannot create a temporary directory");
+  if (!directory.valid()) return directory.WhyNot();
   std::string place = CachePlace(request, command, code.text);
   if (place.empty()) place = directory.path() + "/fleet.so";
   std::error_code error;

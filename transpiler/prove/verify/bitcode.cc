@@ -48,7 +48,7 @@ bool WriteFiles(const BitcodeRequest& request, const compile::TemporaryDirectory
 
 std::variant<Bitcode, BitcodeFailure> CompileToBitcode(const BitcodeRequest& request) {
   const compile::TemporaryDirectory directory;
-  if (!WriteFiles(request, directory)) return BitcodeFailure{"the temporary directory cannot be written", ""};
+  if (!WriteFiles(request, directory)) return BitcodeFailure{directory.WhyNot(), ""};
   Bitcode bitcode;
   for (const emit::OutputFile& file : *request.files) {
     if (!file.name.ends_with(".cpp")) continue;
