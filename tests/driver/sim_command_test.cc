@@ -111,6 +111,12 @@ TEST_F(Sim, Waveform) {
   EXPECT_EQ(Run("--for 50ms --vcd out.vcd").code, 2);
 }
 
+TEST_F(Sim, TheWaveformGoesOverNoSource) {
+  const Ran ran = Run("--watch U4A0 --vcd main.plc");
+  EXPECT_EQ(ran.code, 2) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("cannot write 'main.plc': it is a source of this program"));
+}
+
 TEST_F(Sim, WordsThatMeanNothing) {
   for (const std::string arguments : {"--for 3",
                                       "--for 3h",

@@ -236,6 +236,15 @@ TEST_F(TestCommand, WithoutARoomForTemporaryFilesItSaysWhere) {
                                        "TMPDIR name a folder with room and rights"));
 }
 
+TEST_F(TestCommand, NoResultGoesOverWhatWasRead) {
+  for (const std::string option : {"--junit coil.plc", "--vcd coil.plc", "--junit good.yaml"}) {
+    const compile::ProcessResult result = Run("good.yaml --engine sim " + option);
+    EXPECT_EQ(result.exit_code, 2) << option << result.output;
+    EXPECT_THAT(result.output, HasSubstr("it is a source of this program")) << option;
+    EXPECT_THAT(Read("coil.plc"), testing::StartsWith("$")) << option;
+  }
+}
+
 TEST_F(TestCommand, OptionsOfTheCommandLineGiveWayToTheScenario) {
   const std::string steps = "sources: [coil.plc]\nsteps:\n- run: {slow: 1}\n- set: {I0A3: 1}\n- run: {slow: 1}\n";
   Write("plain.yaml", "dialect: nc110\n" + steps);

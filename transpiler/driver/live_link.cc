@@ -14,6 +14,7 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/linked_program.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/program_output.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/link/target.h"
@@ -215,7 +216,8 @@ int LinkSession::Follow() {
 
 int LinkSession::Save() {
   if (words_.waveform.empty() || !trace_) return kDone;
-  const OutputRequest output{{}, {{words_.waveform, sim::WriteVcd(*trace_, compilation_.name)}}, {}};
+  const OutputRequest output{
+      {}, {{words_.waveform, sim::WriteVcd(*trace_, compilation_.name)}}, PathsRead(compilation_, {})};
   if (const auto failure = WriteWithFolders(output)) return CannotWrite(*failure);
   return kDone;
 }

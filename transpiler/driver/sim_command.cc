@@ -9,6 +9,7 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/plant_choice.h"
+#include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/sim_run.h"
@@ -105,7 +106,9 @@ int RunSim(const SimSettings& settings) {
                                            compilation.dialect->make_stub(compilation.program, options), std::cout);
   std::cout.flush();
   if (!settings.waveform.empty()) {
-    const OutputRequest output{{}, {{settings.waveform, sim::WriteVcd(outcome.trace, compilation.name)}}, {}};
+    OutputRequest output{{}, {{settings.waveform, sim::WriteVcd(outcome.trace, compilation.name)}}, {}};
+    output.protected_paths = PathsRead(compilation, settings.common);
+    if (*plant) output.protected_paths.push_back((*plant)->model().path());
     if (const auto failure = WriteWithFolders(output)) {
       return CannotWrite(*failure);
     }

@@ -92,6 +92,9 @@ int WriteFiles(const TestSettings& settings, const std::vector<scenarios::Scenar
                const std::vector<std::string>& paths) {
   OutputRequest output;
   output.protected_paths = paths;
+  if (settings.common.program) output.protected_paths.push_back(settings.common.project);
+  for (const scenarios::ScenarioResult& result : results)
+    output.protected_paths.insert(output.protected_paths.end(), result.sources.begin(), result.sources.end());
   if (!settings.junit.empty()) {
     std::vector<scenarios::TestCase> cases;
     for (const scenarios::ScenarioResult& result : results) cases.push_back(result.test);

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "transpiler/compilation/source_loading.h"
 #include "transpiler/compile/child_process.h"
 #include "transpiler/engines/compiled_program.h"
 #include "transpiler/scenarios/groups.h"
@@ -107,9 +108,13 @@ class Suite {
 
   std::vector<ScenarioResult> Run() {
     std::vector<GroupedScenario> runnable;
+    std::vector<std::vector<std::string>> sources(items_.size());
     for (uint32_t i = 0; i < items_.size(); ++i) {
       if (items_[i].scenario) {
-        runnable.push_back({i, RequestOf(*items_[i].scenario, options_.programs)});
+        const compilation::CompilationRequest& request =
+            runnable.emplace_back(GroupedScenario{i, RequestOf(*items_[i].scenario, options_.programs)}).request;
+        for (const std::string& source : request.sources)
+          sources[i].push_back(compilation::FromBase(request.base_directory, source));
       } else {
         ScenarioResult result{CaseOf(items_[i].path), {}, {}};
         result.test.outcome = TestOutcome::kUnusable;
@@ -124,7 +129,10 @@ class Suite {
         [this](const ItemGroup& items, WorkReport& work) { Work(items, work); },
         [this](uint32_t item, const ItemEnd& end) { Ended(item, end); });
     std::vector<ScenarioResult> results;
-    for (std::optional<ScenarioResult>& result : results_) results.push_back(std::move(*result));
+    for (size_t i = 0; i < results_.size(); ++i) {
+      results.push_back(*std::move(results_[i]));
+      results.back().sources = std::move(sources[i]);
+    }
     return results;
   }
 

@@ -59,8 +59,9 @@ struct SuiteOptions {
 
 struct ScenarioResult {
   TestCase test;
-  std::string ran;       // "3 steps in simulator and compiled"
-  std::string waveform;  // VCD text; empty when no step ran
+  std::string ran;                        // "3 steps in simulator and compiled"
+  std::string waveform;                   // VCD text; empty when no step ran
+  std::vector<std::string> sources = {};  // of its program, as they are opened
 };
 
 /// The scenarios that `paths` name: files as they are, directories by all their *.yaml files, sorted by path.
