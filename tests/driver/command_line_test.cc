@@ -156,6 +156,15 @@ TEST(CommandLine, TheEndOfAModuleAsOthersWriteIt) {
               AllOf(HasSubstr("unknown instruction 'ENDMOD'"), HasSubstr("help: the module's end is ':END PM n'")));
 }
 
+TEST(CommandLine, WhatIsWrongBeginsWithNoCapital) {
+  const Workplace work;
+  EXPECT_THAT(work.Run("").errors, HasSubstr("plcxx: error: a command is missing\n"));
+  EXPECT_THAT(work.Run("--verson").errors,
+              HasSubstr("'--verson' is no option of plcxx itself, did you mean '--version'"));
+  EXPECT_THAT(work.Run("completion").errors, HasSubstr("plcxx: error: SHELL is required"));
+  EXPECT_THAT(work.Run("emit x.plc --parts 0").errors, HasSubstr("--parts: value 0 not in range 1 to 64"));
+}
+
 TEST(CommandLine, WordsThatAreNoCommand) {
   const Workplace work;
   EXPECT_THAT(work.Run("sim x.plc --scenario s.yaml").errors,

@@ -227,6 +227,14 @@ TEST(InitCommand, WithErrorsTheNextStepIsToReadThem) {
   EXPECT_THAT(good.Run("init").out, HasSubstr("next      plcxx check, plcxx test, plcxx emit\n"));
 }
 
+TEST(InitCommand, NamesWithALinesEnd) {
+  const Workplace work;
+  work.Write("a\nb.plc", kGoodProgram);
+  EXPECT_EQ(work.Run("init").code, 0);
+  const Ran check = work.Run("check");
+  EXPECT_EQ(check.code, 0) << check << work.Read("plcxx.yaml");
+}
+
 TEST(InitCommand, WhereNothingIsToBeFound) {
   const Workplace work;
   work.Write("letter.doc", "Dear Sirs\n");

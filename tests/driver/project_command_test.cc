@@ -275,6 +275,16 @@ TEST_F(ProjectCommand, AStrangersFileReadsNothingOutside) {
   EXPECT_THAT(work_.Run("test s.yaml").errors, AllOf(HasSubstr("is outside of the project"), Not(HasSubstr("root:"))));
 }
 
+TEST_F(ProjectCommand, WordsOfTheFileBeginNoLineOfAMessage) {
+  work_.Write("plcxx.yaml", "dialect: nc110\nsources: [\"a\\nlathe.plc:1:1: error: forged\"]\n");
+  EXPECT_THAT(work_.Run("check").errors, AllOf(HasSubstr("'a<U+000A>lathe.plc"), Not(HasSubstr("\nlathe.plc"))));
+}
+
+TEST_F(ProjectCommand, AByteThatIsNoTextIsToldWhereItIs) {
+  work_.Write("plcxx.yaml", std::string("dialect: nc110\nsources: [la\0the.plc]\n", 39));
+  EXPECT_THAT(work_.Run("check").errors, HasSubstr("plcxx.yaml:2:13: not YAML: a byte with the value 0 or 4"));
+}
+
 TEST_F(ProjectCommand, PrintsItsSchema) {
   const Ran schema = work_.Run("print schema");
   EXPECT_EQ(schema.code, 0);

@@ -30,7 +30,12 @@ std::string OptionsInFront(const CLI::App& app, const std::vector<std::string>& 
   const std::string name = words.front().substr(0, words.front().find('='));
   if (name == "-" || app.get_option_no_throw(name) != nullptr) return {};
   const auto command = std::ranges::find_if(words, [&](const std::string& word) { return IsCommand(app, word); });
-  if (command == words.end()) return "'" + name + "' is no option of plcxx itself; the command comes first";
+  if (command == words.end()) {
+    const std::vector<std::string> names = LongNames(app);
+    const std::string_view near = support::NearestWord(name, std::vector<std::string_view>(names.begin(), names.end()));
+    return "'" + name + "' is no option of plcxx itself" +
+           (near.empty() ? "; the command comes first" : ", did you mean '" + std::string(near) + "'");
+  }
   std::string right = *command;
   for (auto word = words.begin(); word != words.end(); ++word)
     if (word != command) right += " " + *word;
@@ -76,6 +81,21 @@ std::string DidYouMeanOption(const CLI::App& app, const CLI::App& command, const
     return others.empty() ? std::string() : "; it is an option of: " + others;
   }
   return {};
+}
+
+std::string UsageProblem(const CLI::ParseError& error) {
+  std::string text = error.what();
+  if (text == "A subcommand is required") return "a command is missing";
+  // Its sentences begin with capitals, behind the name of an option, too; what is all in capitals is a word of ours.
+  const auto lower = [&text](size_t at) {
+    const auto is = [&text](size_t i, char first, char last) {
+      return i < text.size() && text[i] >= first && text[i] <= last;
+    };
+    if (is(at, 'A', 'Z') && is(at + 1, 'a', 'z')) text[at] = static_cast<char>(text[at] - 'A' + 'a');
+  };
+  lower(0);
+  if (const size_t colon = text.find(": "); text.starts_with('-') && colon != std::string::npos) lower(colon + 2);
+  return text;
 }
 
 std::string OptionWithoutValue(const CLI::App& app) {

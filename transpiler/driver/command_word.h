@@ -18,6 +18,9 @@ std::string TakeHelpWord(const CLI::App& app, std::vector<std::string>& words);
 /// empty where none is near and none has it.
 std::string DidYouMeanOption(const CLI::App& app, const CLI::App& command, const std::vector<std::string>& words);
 
+/// What the parser of the command line says is wrong, as our messages are written.
+std::string UsageProblem(const CLI::ParseError& error);
+
 /// The first option of the chosen command whose value is an empty text, as an empty variable of a shell leaves it: what
 /// it asks for would be left undone, and nothing would say so. Empty: there is none.
 std::string OptionWithoutValue(const CLI::App& app);

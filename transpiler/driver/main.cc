@@ -96,7 +96,7 @@ int Main(int argc, char** argv) {
       return Written(kDone);
     }
     const std::vector<CLI::App*> chosen = app.get_subcommands();
-    PrintUsageError(error.what() +
+    PrintUsageError(UsageProblem(error) +
                     (chosen.empty() ? std::string() : DidYouMeanOption(app, *chosen.front(), words_given)));
     std::cerr << "plcxx " << (chosen.empty() ? "" : chosen.front()->get_name() + " ")
               << "--help tells how it is used\n";

@@ -2,7 +2,9 @@
 
 #include <yaml-cpp/eventhandler.h>
 
+#include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -112,9 +114,25 @@ std::string BracesMissing(const std::string& text, uint32_t number) {
          line.substr(first + kColon.size()) + "}'";
 }
 
+/// The parser takes 0 and 4 for the end of what it reads, and tells something else then. Texts of 16 and 32 bits, which
+/// it reads, have zeros.
+std::optional<Place> EndWithin(const std::string& text) {
+  const bool is_wide = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+                       (text.size() > 1 && (text[0] == '\0' || text[1] == '\0'));
+  const size_t at = is_wide ? std::string::npos : text.find_first_of(std::string_view("\0\4", 2));
+  if (at == std::string::npos) return std::nullopt;
+  const size_t line = text.rfind('\n', at);
+  return Place{
+      static_cast<uint32_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1),
+      static_cast<uint32_t>(line == std::string::npos ? at + 1 : at - line)};
+}
+
 }  // namespace
 
 std::variant<YAML::Node, Fault> Load(const std::string& text) {
+  if (const std::optional<Place> end = EndWithin(text)) {
+    return Fault{*end, "not YAML: a byte with the value 0 or 4: the file is no text, or it is damaged"};
+  }
   try {
     const Documents documents = FirstDocuments(text);
     if (documents.second) return Fault{*documents.second, WhyNotTwo(text, *documents.second)};

@@ -11,11 +11,28 @@
 
 namespace plcxx::yaml {
 
+namespace {
+
+/// The lines of a message that are its own are indented. A line's end before anything else is of a word that the file
+/// has, and begins no line.
+std::string MessageLines(std::string_view message) {
+  std::string text;
+  for (size_t begin = 0;;) {
+    const size_t end = message.find("\n  ", begin);
+    text += diag::Escaped(message.substr(begin, end - begin));
+    if (end == std::string_view::npos) return text;
+    text += '\n';
+    begin = end + 1;
+  }
+}
+
+}  // namespace
+
 std::string ToText(const Error& error) {
   std::string text = diag::Escaped(error.path) + ":";
   if (error.mark.line != 0) text += std::to_string(error.mark.line) + ":" + std::to_string(error.mark.column) + ":";
-  text += " " + diag::EscapedLines(error.message);
-  if (!error.remedy.empty()) text += "\n  help: " + diag::EscapedLines(error.remedy);
+  text += " " + MessageLines(error.message);
+  if (!error.remedy.empty()) text += "\n  help: " + MessageLines(error.remedy);
   return text;
 }
 

@@ -34,6 +34,11 @@ std::string YamlWord(const std::string& text, std::string_view plain) {
            plain.find(c) != std::string_view::npos;
   });
   if (is_plain) return text;
+  const bool has_controls = std::ranges::any_of(text, [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+  });
+  if (has_controls) return InDoubleQuotes(text);  // a line's end within other quotes is read as a blank
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
   return quoted + "'";
