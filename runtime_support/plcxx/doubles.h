@@ -7,6 +7,8 @@
 
 #include <stdint.h>
 
+#include "plcxx/float_environment.h"
+
 namespace plcxx {
 
 [[gnu::const]] constexpr double AddF64(double a, double b) noexcept { return a + b; }

@@ -7,6 +7,8 @@
 
 #include <stdint.h>
 
+#include "plcxx/float_environment.h"
+
 namespace plcxx {
 
 [[gnu::const]] constexpr float AddF32(float a, float b) noexcept { return a + b; }

@@ -10,7 +10,8 @@
 namespace plcxx {
 
 struct UnitTimer {
-  uint64_t elapsed_ms;
+  // Where numbers of 8 bytes may begin at a multiple of 4 (32-bit x86), the layout is the same.
+  alignas(8) uint64_t elapsed_ms;
   uint32_t value;   // .V: units elapsed, truncated, at most the preset; as of the last execution
   uint32_t preset;  // .P of the last execution
   bool previous;    // the input at the last execution

@@ -121,6 +121,8 @@ TEST_F(GeneratedHnc, CompilesForTargetsWithoutAnOperatingSystem) {
 // covers: HNC-115
 TEST_F(GeneratedHnc, PeriodsGoOnWhenTheClockWraps) {
   work_.Write("main.cpp", R"(#include "out/mill.hpp"
+        Target{"g++", "-std=c++17 -m32 -msse2 -mfpmath=sse", "nm"},
+        Target{"clang++-19", "-std=c++17 -m32 -msse2", "nm"},
 namespace mill {
 struct Host {};
 #include "host.inc"

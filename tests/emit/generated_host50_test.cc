@@ -76,6 +76,15 @@ TEST_F(GeneratedHost50, PartsAreFunctionsOfTheirOwnThatNeedNothingOfTheSystem) {
             0);
 }
 
+// Numbers of 8 bytes begin at multiples of 4 there, unless they say otherwise.
+TEST_F(GeneratedHost50, StateIsLaidOutAlikeOn32BitX86) {
+  work_.Write("timer.il", "SLOW\nNETWORK\nLD %I0\nTONS %TM1, 5\nOUT %Q0\nEND_SLOW\n");
+  const driver::Ran ran = work_.Run("emit timer.il -o out --quiet");
+  ASSERT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(work_.Read("out/timer.cpp"), HasSubstr("offsetof(State, unit_timer) == "));
+  EXPECT_EQ(Shell(release_ + "-m32 -msse2 -mfpmath=sse -fsyntax-only out/timer.cpp"), 0);
+}
+
 // covers: HOST50-219
 TEST_F(GeneratedHost50, TheRetentiveMemoryIsOneBlockThatTheHostLoadsAndKeeps) {
   EXPECT_THAT(header_, HasSubstr("void retentive_load(Host& host, Retentive& retentive) noexcept;\n"));

@@ -87,6 +87,17 @@ TEST_P(Compilers, NoLibraryCalls) {
   }
 }
 
+TEST_P(Compilers, WhatChangesFloatingPointIsRefused) {
+  for (const char* header : {"floats", "doubles"}) {
+    const std::string include = std::string("-fsyntax-only -include plcxx/") + header + ".h -x c++ /dev/null";
+    EXPECT_TRUE(Succeeds(Command("-O2 " + include)));
+    EXPECT_FALSE(Succeeds(Command("-O2 -ffast-math " + include + " 2>/dev/null")));
+    if (std::string(GetParam().name) != "g++") continue;
+    EXPECT_TRUE(Succeeds(Command("-m32 -msse2 -mfpmath=sse " + include)));
+    EXPECT_FALSE(Succeeds(Command("-m32 -mfpmath=387 " + include + " 2>/dev/null")));
+  }
+}
+
 TEST_P(Compilers, FaultsAreFound) {
   EXPECT_FALSE(Succeeds(Command("-fsyntax-only " + kFixtures + "narrowing.cc 2>/dev/null")));
   if (std::string(GetParam().name) == "clang++-19") {

@@ -121,9 +121,12 @@ void StatePrinter::ElementAccessor(std::string_view tag_type, std::string_view a
 }
 
 void StatePrinter::Members() {
+  constexpr uint32_t kMaxNatural = 4;  // numbers of 8 bytes begin at multiples of 4 on 32-bit x86
   out_ += "struct State {\n";
   for (const layout::Member& member : emittable_.layout.members) {
-    out_ += "  " + member.element + " " + member.name;
+    const bool is_number = !member.element.starts_with("plcxx::") && member.name != "retentive";
+    out_ += is_number && member.element_bytes > kMaxNatural ? "  alignas(8) " : "  ";
+    out_ += member.element + " " + member.name;
     if (member.name != "retentive") out_ += "[" + std::to_string(member.count) + "]";
     out_ += ";\n";
   }

@@ -128,7 +128,7 @@ struct Retentive {
 
 struct State {
   Retentive retentive;
-  double float64[2];
+  alignas(8) double float64[2];
   uint32_t word32[20];
   uint16_t word16[10];
   uint8_t byte[1045];
