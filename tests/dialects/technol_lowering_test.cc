@@ -15,6 +15,7 @@ using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::Not;
 using testing::StartsWith;
+using testing::UnorderedElementsAre;
 
 // covers: TECHNOL-077
 TEST(TechnolLowering, ALogicSequenceIsOneExpression) {
@@ -76,6 +77,22 @@ TEST(TechnolLowering, CommentsAboutAFileAndAModuleAreKept) {
   }
   EXPECT_THAT(comments, ElementsAre("; saw, version 3", "MODULE_INIT", "; end of init", "MODULE_MAIN", "; last",
                                     "; end of main"));
+}
+
+// One inside a module has its line and comments there; one beside the modules has nothing else.
+TEST(TechnolLowering, AMechanismBesideTheModulesBeginsWithItsOwnLine) {
+  LoweredProgram lowered;
+  LowerInto(lowered,
+            "; arm, version 2\n\n; --- the arm\nMECH_BEGIN RUKA ; down and up\nFL 1,Q\nMECH_END RUKA\n"
+            "DATA\nBITS: DFM A,Q\nDATA_END\nMODULE_MAIN\nFL 1,RUKA\n; --- the door\nMECH_BEGIN DVERE ; open\n"
+            "FL 0,Q\nMECH_END DVERE\nMODULE_MAIN_END\nSTOP\n");
+  EXPECT_THAT(lowered.Reported({"TE"}), IsEmpty());
+  std::vector<std::string> comments;
+  for (const ir::Statement& statement : lowered.program().statements) {
+    for (const source::Range& range : statement.comments) comments.emplace_back(lowered.sources.Text(range));
+  }
+  EXPECT_THAT(comments, UnorderedElementsAre("; arm, version 2", "; --- the arm", "MECH_BEGIN RUKA ; down and up",
+                                             "MODULE_MAIN", "; --- the door"));
 }
 
 TEST(TechnolLowering, AJumpBackWithinAStretchNeedsNoStep) {

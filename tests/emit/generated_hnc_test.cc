@@ -93,6 +93,21 @@ TEST_F(GeneratedHnc, AFunctionHasAllLinesAboveItAndInItsHead) {
   EXPECT_THAT(code, HasSubstr("\n\n// coolant\n// pump 2\n// level\n// wanted\nstatic uint16_t pump("));
 }
 
+// Above the first function, and what is about a declaration is not the file's.
+TEST_F(GeneratedHnc, TheHeadOfAFileIsAboveItsFirstFunction) {
+  work_.Write("pump.h", "// pump of the coolant\n\nint level;\n// lowest\nint low() { return level < 3; }\n");
+  work_.Write("door.h", "// open or not\nint open;\nvoid door() { Y[1] = open; }\n");
+  work_.Write("saw.cld",
+              "/*\n * saw.cld, version 3\n */\n#include \"plc.h\"\n#include \"pump.h\"\n#include \"door.h\"\n"
+              "void init() { plc1_time = plc2_time = 16; }\nvoid plc1() { Y[0] = low(); door(); }\nvoid plc2() {}\n");
+  const driver::Ran ran = work_.Run("emit saw.cld -o saw --quiet");
+  ASSERT_EQ(ran.code, 0) << ran;
+  const std::string code = work_.Read("saw/saw.cpp");
+  EXPECT_THAT(code, HasSubstr("\n\n// pump of the coolant\n\n// lowest\nstatic uint16_t low("));
+  EXPECT_THAT(code, HasSubstr("\n\n// saw.cld, version 3\n\n// init()\nstatic void plc_init("));
+  EXPECT_THAT(code, HasSubstr("\n\n// door()\nstatic void door("));
+}
+
 TEST_F(GeneratedHnc, SlotsAreConstantsWhereEveryRegistrationIsUnconditional) {
   EXPECT_THAT(work_.Read("out/mill.hpp"), AllOf(HasSubstr("handler_S0"), Not(HasSubstr("handler_M0"))));
   EXPECT_THAT(work_.Read("out/mill.cpp"), HasSubstr("on_m(m, 0"));
@@ -106,6 +121,8 @@ TEST_F(GeneratedHnc, CompilesForTargetsWithoutAnOperatingSystem) {
   };
   for (const Target& target :
        {Target{"g++", "-std=c++17", "nm"}, Target{"clang++-19", "-std=c++17", "nm"},
+        Target{"g++", "-std=c++17 -m32 -msse2 -mfpmath=sse", "nm"},
+        Target{"clang++-19", "-std=c++17 -m32 -msse2", "nm"},
         Target{"arm-none-eabi-g++", "-std=c++17 -mcpu=cortex-m4 -mthumb", "arm-none-eabi-nm"},
         Target{"riscv64-unknown-elf-g++", "-std=c++17 -march=rv32imac -mabi=ilp32", "riscv64-unknown-elf-nm"}}) {
     if (Shell(target.compiler + " --version >/dev/null 2>&1") != 0) continue;
@@ -121,8 +138,6 @@ TEST_F(GeneratedHnc, CompilesForTargetsWithoutAnOperatingSystem) {
 // covers: HNC-115
 TEST_F(GeneratedHnc, PeriodsGoOnWhenTheClockWraps) {
   work_.Write("main.cpp", R"(#include "out/mill.hpp"
-        Target{"g++", "-std=c++17 -m32 -msse2 -mfpmath=sse", "nm"},
-        Target{"clang++-19", "-std=c++17 -m32 -msse2", "nm"},
 namespace mill {
 struct Host {};
 #include "host.inc"

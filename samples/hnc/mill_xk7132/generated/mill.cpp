@@ -96,6 +96,14 @@ static void record_fault(State& m, uint8_t code, uint32_t statement, Host& host)
   fault(host, code, statement);
 }
 
+// state.h - parameters, alarms and the variables that several groups share
+// User parameters (P), set on the control:
+// P[0] jog speed      P[1] rapid speed     P[2] step width in micrometres
+// P[4] highest speed of the spindle, rev/min       P[5] longest time of a tool change step, scans of 16 ms
+// P[8] lubrication on, seconds                     P[9] lubrication pause, seconds
+// Retentive (B): B[0] number of pockets, B[1]..B[12] tools in the pockets, B[90] tool in the spindle, B[91] pocket in
+// front of the spindle.
+
 // limited()
 static uint16_t limited(State&, uint16_t value, uint16_t low, uint16_t high, Host&) noexcept {
   // if (value < low)
@@ -113,6 +121,8 @@ static uint16_t limited(State&, uint16_t value, uint16_t low, uint16_t high, Hos
   // return value;
   return value;
 }
+
+// filter.h - two equal samples in a row make a level; its rising edge lasts for one scan
 
 // read_inputs()
 static void read_inputs(State& m, Host&) noexcept {
@@ -144,6 +154,8 @@ static void read_inputs(State& m, Host&) noexcept {
     m[At(previous, g)] = m[At(X, g)];
   }
 }
+
+// panel.h - operating modes, keys of the part program, overrides, lamps
 
 // The mode goes to the NC only while no axis is moved by hand: a change in between would leave it running.
 static void select_mode(State& m, Host& host) noexcept {
@@ -346,6 +358,8 @@ static void panel_lamps(State& m, Host&) noexcept {
     m[Y0] = m[Y0] & 0xBF;
   }
 }
+
+// axes.h - enabling, limit switches, jog, steps, handwheel, reference
 
 // Bits 2a and 2a + 1 of LIMITS are the switches at the positive and the negative end; 0 is pressed.
 static void limit_switches(State& m, Host&) noexcept {
@@ -745,6 +759,9 @@ static void axes(State& m, Host& host) noexcept {
   }
 }
 
+// spindle.h - speed, directions, orientation
+// Handlers of M03, M04, M05, M19 are in mcodes.h; keys act in the manual modes only.
+
 // speed_percent()
 static uint16_t speed_percent(State& m, Host&) noexcept {
   // return 50 + 10 * SPEED_SWITCH;
@@ -883,6 +900,10 @@ static void on_s(State& m, uint16_t ch, Host& host) noexcept {
   }
   m[At(G, t768)] = Minus16(1);
 }
+
+// tools.h - umbrella magazine with 12 pockets: T selects, M06 changes
+// The magazine moves to the spindle, takes the tool, turns to the pocket of the wanted one and moves back. The NC has
+// brought Z to the height of the change and does the strokes between the steps itself.
 
 // The pocket of a tool, 1..12, or 0.
 static uint16_t pocket_of(State& m, uint16_t tool, Host&) noexcept {
@@ -1531,6 +1552,9 @@ static void lubrication(State& m, Host&) noexcept {
 
   // quarter += 4;
   m[lubrication_quarter] = Add8(m[lubrication_quarter], 4);
+// mill.cld - vertical milling machine XK7132: three axes, umbrella magazine, handwheel
+// Fast part every 16 ms: inputs, panel, axes, spindle, tool change. Slow part every 32 ms: lubrication, lamps, buzzer.
+
 
   // if (quarter >= 125)
   if (m[lubrication_quarter] >= 125) {

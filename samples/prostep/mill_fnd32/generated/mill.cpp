@@ -76,6 +76,7 @@ void init(State& m, Host& host) noexcept {
   if (copy.layout == kRetentiveLayout) m.retentive = copy;
   m[rounds_left] = 10000;
 
+  // ; Frezarka FND 32: inicjacja i moduly przerwaniowe
   // ; === PM 0: inicjacja ==========================================================
   // :MOD PM 0
   // :L                   ; moduly przerwaniowe 1 i 2
@@ -603,6 +604,7 @@ to_F5_6:;
 
 // PM 9: loop module, while F 251.0 is 1.
 [[gnu::noinline]] void PM9(State& m, Host&) noexcept {
+  // ; Frezarka FND 32: petla interfejsowa bez magazynu
   // ; === PM 9: zalaczanie, hydraulika, zezwolenia, wrzeciono ======================
   // :MOD PM 9
   // :A I 3.0             przycisk hydrauliki na pulpicie
@@ -1285,6 +1287,16 @@ static void PM21(State& m, uint16_t& ax, Host& host) noexcept {
   bool s = false;
   uint16_t ax = 0;
 
+  // ; Frezarka FND 32: magazyn bębnowy, automatyczna wymiana narzędzia
+  // ; Kroki wymiany, jeden bit w FB 10:
+  // ; F 10.0  1 orientacja wrzeciona, bęben do gniazda starego narzędzia
+  // ; F 10.1  2 magazyn do wrzeciona
+  // ; F 10.2  3 zwolnienie narzędzia
+  // ; F 10.3  4 bęben w dół
+  // ; F 10.4  5 bęben do gniazda nowego narzędzia
+  // ; F 10.5  6 bęben w górę
+  // ; F 10.6  7 mocowanie
+  // ; F 10.7  8 magazyn do tyłu
   // ; === PM 11: wymiana narzędzia ==================================================
   // :MOD PM 11
   // ; --- dozór: każdy krok ma swój czas

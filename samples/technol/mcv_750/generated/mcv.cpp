@@ -1069,6 +1069,8 @@ to_ZF_KONEC:;
 static void mech_ROZBEH(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
   switch (m[ROZBEH_step]) {
     default: {
+      // ; --------------------------------------------------------------------------- spindle
+      // MECH_BEGIN ROZBEH
       // LOD  CNST.SL_OTACKY
       dr = 0;
       // CALL POLOZKA
@@ -1155,6 +1157,7 @@ static void mech_ROZBEH(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexce
 static void mech_ZASTAV(State& m, Host& host) noexcept {
   switch (m[ZASTAV_step]) {
     default: {
+      // MECH_BEGIN ZASTAV
       // FL   0,O_VR_VLEVO
       m[O_VR_VLEVO] = false;
       // FL   0,O_VR_VPRAVO
@@ -1200,6 +1203,10 @@ static void mech_VYMENA(State& m, uint16_t& ax, uint16_t& bx, uint32_t& dr, uint
   rounds_left = 65536u;
   switch (m[VYMENA_step]) {
     default: {
+      // ; Výměna nástroje, zásobník, tabulka nástrojů
+      // ; Nástroj je v lůžku podle tabulky nástrojů v zálohované paměti LABEL_MEM.
+      // ; --------------------------------------------------------------------------- mechanizmus výměny
+      // MECH_BEGIN VYMENA
       // LOD  T_PROG
       // EQ   LABEL_MEM.VR_T
       // JL1  VN_HOTOVO               ; nástroj už je ve vřetenu
@@ -1510,6 +1517,8 @@ static void mech_OTOC_ZAS(State& m, uint32_t& dr, uint32_t& rounds_left, Host& h
   for (;;) {
     switch (step) {
       default: {
+        // ; --------------------------------------------------------------------------- zásobník na lůžko CIL, kratším směrem
+        // MECH_BEGIN OTOC_ZAS
         // CALL SMER
         SMER(m, host);
         // LOD  KROKU
@@ -1616,6 +1625,8 @@ static void mech_RUCNE(State& m, Host&) noexcept {
 
   switch (m[RUCNE_step]) {
     default: {
+      // ; --------------------------------------------------------------------------- ruční krokování zásobníku tlačítky
+      // MECH_BEGIN RUCNE
       // LDR  VYMENA
       // LO   OTOC_ZAS
       // JL1  RU_KONEC
@@ -1683,6 +1694,8 @@ to_RU_KONEC:;
 static void mech_KOREKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexcept {
   switch (m[KOREKCE_step]) {
     default: {
+      // ; --------------------------------------------------------------------------- délka nového nástroje do tabulky korekcí NC
+      // MECH_BEGIN KOREKCE
       // LOD  CNST.SL_DELKA
       dr = 3;
       // CALL ADRESA
@@ -1734,6 +1747,8 @@ static void mech_KOREKCE(State& m, uint16_t& bx, uint32_t& dr, Host& host) noexc
 static void mech_ARCHIV(State& m, Host&) noexcept {
   switch (m[ARCHIV_step]) {
     default: {
+      // ; --------------------------------------------------------------------------- archiv tabulky nástrojů do PLC_MEM.SYS
+      // MECH_BEGIN ARCHIV
       // ZADOST SEND_PLCMEM
       m[REQ_SEND_PLCMEM] = true;
     }
@@ -1753,6 +1768,9 @@ static void mech_ARCHIV(State& m, Host&) noexcept {
 
 // Mechanism VYPADEK: goes on where it waits.
 static void mech_VYPADEK(State& m, Host&) noexcept {
+  // ; Vypínání stroje: výpadek sítě, UPS, klávesa na panelu
+  // ; --------------------------------------------------------------------------- síť vypadla déle než dvě sekundy
+  // MECH_BEGIN VYPADEK
   // TIM  SITE_CAS,DOBA_SITE
   const uint16_t t241 = m[SITE_CAS];
   if (t241 < 100) {
@@ -1792,6 +1810,8 @@ static void mech_MCH_VYPNUTI(State& m, Host&) noexcept {
     }
   }
 
+  // ; --------------------------------------------------------------------------- mechanizmus vypnutí stroje
+  // MECH_BEGIN MCH_VYPNUTI
   // FL   0,O_POHONY
   m[O_POHONY] = false;
 
@@ -1869,7 +1889,6 @@ to_MCH_VYPNUTI_2:;
 
 // While REQ_PIS_HALT is 1.
 static void MODULE_HALT(State& m, Host&) noexcept {
-  // ; Vypínání stroje: výpadek sítě, UPS, klávesa na panelu
   // ; --------------------------------------------------------------------------- poslední modul: rozepne napájení
   // MODULE_HALT
   // FL   0,O_NAPAJENI

@@ -19,11 +19,7 @@
 
 namespace plcxx::hnc {
 
-/// The comments above a function and in its head, line by line.
-std::string Functions::CommentOf(const Function& function) const {
-  std::vector<const Comment*> comments = CommentsBefore(unit_, sources_, function.head.begin);
-  const source::Range head = {function.head.begin, unit_.statements[function.body].range.begin};
-  std::ranges::copy(CommentsIn(unit_, head), std::back_inserter(comments));
+std::string Functions::LinesOf(const std::vector<const Comment*>& comments) const {
   std::vector<source::Range> lines;
   for (const Comment* comment : comments) AddCommentLines(sources_.Text(comment->range), comment->range.begin, lines);
   std::string text;
@@ -31,7 +27,23 @@ std::string Functions::CommentOf(const Function& function) const {
     if (!text.empty()) text += '\n';
     text += sources_.Text(line);
   }
-  return text.empty() ? function.name + "()" : text;
+  return text;
+}
+
+/// The comments above a function and in its head, line by line; in front of the first one of its file, and of an empty
+/// line, those at the head of the file.
+std::string Functions::CommentOf(const Function& function) {
+  std::vector<const Comment*> comments = CommentsBefore(unit_, sources_, function.head.begin);
+  std::vector<const Comment*> of_file;
+  const source::FileId file = sources_.FileAt(function.head.begin);
+  if (begun_files_.insert(file.index).second) of_file = CommentsAtHead(unit_, sources_, file);
+  if (!comments.empty()) std::erase_if(of_file, [&](const Comment* head) { return head >= comments.front(); });
+  const source::Range head = {function.head.begin, unit_.statements[function.body].range.begin};
+  std::ranges::copy(CommentsIn(unit_, head), std::back_inserter(comments));
+  std::string text = LinesOf(of_file);
+  if (!text.empty()) text += "\n\n";
+  const std::string own = LinesOf(comments);
+  return text + (own.empty() ? function.name + "()" : own);
 }
 
 void Functions::AddRoutines() {

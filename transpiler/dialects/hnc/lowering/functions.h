@@ -1,6 +1,7 @@
 // Every C function is a routine with the same name, parameters and locals.
 #pragma once
 
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -55,7 +56,8 @@ class Functions : Context {
  private:
   /// Whether the routine of the function is made.
   bool IsIncluded(FunctionId id) const { return scope_ == Scope::kAll || facts_.PartsOf(id) != 0; }
-  std::string CommentOf(const Function& function) const;
+  std::string LinesOf(const std::vector<const Comment*>& comments) const;
+  std::string CommentOf(const Function& function);
   void BeginLocals(const Function& function);
 
   Scope scope_;
@@ -72,6 +74,7 @@ class Functions : Context {
   Returns& returns_;
   Statements& statements_;
   std::vector<Locals::Position> own_locals_;                     // by FunctionId, after its parameters
+  std::set<uint32_t> begun_files_;                               // by FileId: whose first function has its comment
   std::unordered_map<uint32_t, ir::PlaceId> copied_parameters_;  // by VariableId: those that lie in memory
 };
 

@@ -22,6 +22,12 @@ std::string_view LineBefore(const source::SourceManager& sources, source::Offset
   return sources.Text({start, place});
 }
 
+bool IsAboutFile(std::string_view text_after) {
+  const size_t next = static_cast<size_t>(std::ranges::find_if_not(text_after, IsBlank) - text_after.begin());
+  return next == text_after.size() || text_after[next] == '#' ||
+         std::ranges::count(text_after.substr(0, next), '\n') > 1;
+}
+
 }  // namespace
 
 std::vector<const Comment*> CommentsIn(const Unit& unit, source::Range range) {
@@ -51,6 +57,21 @@ std::vector<const Comment*> CommentsBefore(const Unit& unit, const source::Sourc
     if (OnlyBlanks(before)) break;
     found.erase(found.begin());
   }
+  return found;
+}
+
+std::vector<const Comment*> CommentsAtHead(const Unit& unit, const source::SourceManager& sources,
+                                           source::FileId file) {
+  const source::File& head = sources.Get(file);
+  const std::string_view text = head.text;
+  std::vector<const Comment*> found;
+  source::Offset end = head.base;
+  for (auto it = FirstFrom(unit, head.base); it != unit.comments.end(); ++it) {
+    if (sources.FileAt(it->range.begin) != file || !OnlyBlanks(sources.Text({end, it->range.begin}))) break;
+    found.push_back(&*it);
+    end = it->range.end;
+  }
+  while (!found.empty() && !IsAboutFile(text.substr(found.back()->range.end - head.base))) found.pop_back();
   return found;
 }
 

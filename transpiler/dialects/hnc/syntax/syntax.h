@@ -338,6 +338,8 @@ std::vector<const Comment*> CommentsIn(const Unit& unit, source::Range range);
 /// shares its line with code before it belongs to that code.
 std::vector<const Comment*> CommentsBefore(const Unit& unit, const source::SourceManager& sources,
                                            source::Offset place);
+/// Those at the head of a file that are about all of it: an empty line or a directive follows.
+std::vector<const Comment*> CommentsAtHead(const Unit& unit, const source::SourceManager& sources, source::FileId file);
 /// The comment after `place` on the same line; none when there is none.
 const Comment* CommentBehind(const Unit& unit, const source::SourceManager& sources, source::Offset place);
 

@@ -39,9 +39,20 @@ std::string_view SubjectSpace(const Instruction& instruction) {
 
 void StatementWriter::BeginModule(const std::vector<bool>& label_at) {
   Cut(label_at);
+  if (BeginsFile()) {
+    const Span header = std::ranges::find(tree_.files, module().file, &SourceFile::file)->header;
+    dialects::AddComments(tree_.comments, header.first, header.count, CommentPlace::kLeading, waiting_comments_);
+  }
   dialects::AddComments(tree_.comments, module().comments.first, module().comments.count, CommentPlace::kLeading,
                         waiting_comments_);
   waiting_comments_.push_back(dialects::LinesOf(sources_, module().open.begin, module().open.end));
+}
+
+/// Is it the first module in its file, where the comments at the head of the file are shown?
+bool StatementWriter::BeginsFile() const {
+  return std::ranges::none_of(tree_.modules, [this](const Module& other) {
+    return other.file == module().file && other.open.begin < module().open.begin;
+  });
 }
 
 void StatementWriter::Cut(const std::vector<bool>& label_at) {
@@ -130,6 +141,8 @@ void StatementWriter::EndModule() {
   std::vector<source::Range> comments = std::exchange(waiting_comments_, {});
   dialects::AddComments(tree_.comments, module().end_comments.first, module().end_comments.count,
                         CommentPlace::kLeading, comments);
+  dialects::AddComments(tree_.comments, module().end_comments.first, module().end_comments.count,
+                        CommentPlace::kTrailing, comments);
   if (comments.empty()) return;
   registers_.EndStatement();
   const source::Range place{module().close.begin, module().close.begin};

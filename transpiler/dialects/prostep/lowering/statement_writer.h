@@ -29,6 +29,7 @@ class StatementWriter : Context {
   void EndModule();
 
  private:
+  bool BeginsFile() const;
   void Cut(const std::vector<bool>& label_at);
   std::string SubjectOf(InstructionId first, InstructionId end) const;
   uint32_t NumberOf(InstructionId first, InstructionId end);

@@ -123,13 +123,19 @@ void RoutineWriter::FindLabels() {
   }
 }
 
-/// Is it the first module in its file, where the comments at the head of the file are shown?
-bool RoutineWriter::BeginsFile(UnitId module) const {
-  for (uint32_t i = 0; i < module.index; ++i) {
+/// Is it the first unit in its file with an opening line of its own, where the comments at the head of the file are
+/// shown?
+bool RoutineWriter::BeginsFile(UnitId id) const {
+  for (uint32_t i = 0; i < id.index; ++i) {
     const Unit& unit = tree_.units[UnitId(i)];
-    if (unit.kind == UnitKind::kModule && unit.file == tree_.units[module].file) return false;
+    if (ShowsOpening(unit) && unit.file == tree_.units[id].file) return false;
   }
   return true;
+}
+
+/// The opening line of a mechanism inside a module is one of the module's.
+bool RoutineWriter::ShowsOpening(const Unit& unit) {
+  return unit.kind == UnitKind::kModule || (unit.kind == UnitKind::kMechanism && !unit.parent.valid());
 }
 
 const SourceFile& RoutineWriter::FileOf(const Unit& unit) const {
@@ -143,10 +149,11 @@ void RoutineWriter::Lower(const Routine& routine) {
   Begin();
   FindLabels();
   statements_.Cut(label_at_);
-  if (routine.unit.valid() && tree_.units[routine.unit].kind == UnitKind::kModule) {
+  if (routine.unit.valid() && ShowsOpening(tree_.units[routine.unit])) {
     const Unit& unit = tree_.units[routine.unit];
     if (BeginsFile(routine.unit)) statements_.AddComments(FileOf(unit).header);
-    statements_.AddComments(unit.comments);
+    const bool is_module = unit.kind == UnitKind::kModule;
+    statements_.AddComments(is_module ? unit.comments : tree_.instructions[unit.first].comments);
     statements_.AddLines(unit.open);
   }
   for (size_t i = 0; i < routine.instructions.size(); ++i) Execute(i);

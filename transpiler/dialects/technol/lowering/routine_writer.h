@@ -42,7 +42,8 @@ class RoutineWriter : Context {
   void AddSubprograms(Routine& routine);
   ir::RoutineId AddUnit(const Routine& routine);
   std::string CommentOf(const Routine& routine) const;
-  bool BeginsFile(UnitId module) const;
+  bool BeginsFile(UnitId id) const;
+  static bool ShowsOpening(const Unit& unit);
   const SourceFile& FileOf(const Unit& unit) const;
   /// What the routine begins with: zeros, the jumps back that it may take, the choice of its entry.
   void Begin();
