@@ -4,6 +4,7 @@
 #include "transpiler/passes/fold_constants.h"
 #include "transpiler/passes/pipeline.h"
 #include "transpiler/passes/remove_dead.h"
+#include "transpiler/passes/splice_constant_ifs.h"
 
 namespace plcxx::passes {
 namespace {
@@ -136,6 +137,31 @@ TEST(RemoveDead, ValuesAndWhatOnlyTheyUse) {
   EXPECT_EQ(
       After(RemoveDead, "stmt s1\n%0 = load a\n%1 = load b\n%2 = and.bit %0 %1\nstore c %1\nstmt s2\n%0 = load w\n"),
       "stmt s1\n%0 = load b\nstore c %0\nstmt s2\n");
+}
+
+TEST(SpliceConstantIfs, TheArmThatIsExecutedIsLeft) {
+  EXPECT_EQ(
+      After(Optimize, "%0 = const bit 0\n%1 = load b\nif %0 {\n  store a %0\n} else {\n  store a %1\n}\nstore c %1\n"),
+      "%0 = load b\nstore a %0\nstore c %0\n");
+  EXPECT_EQ(After(Optimize, "%0 = const bit 1\n%1 = load b\nif %0 {\n  store a %1\n}\n"), "%0 = load b\nstore a %0\n");
+  // Also one inside of another one.
+  EXPECT_EQ(
+      After(Optimize,
+            "%0 = const bit 1\n%1 = load b\nif %1 {\n  if %0 {\n    store a %1\n  } else {\n    store a %0\n  }\n}\n"),
+      "%0 = load b\nif %0 {\n  store a %0\n}\n");
+}
+
+TEST(SpliceConstantIfs, WhatIsNowhereElseStays) {
+  const std::string_view arms[] = {"store a %1", "%3 = load a\n  store b %3", "step.on_delay T5 %1 %2 %2"};
+  for (const std::string_view arm : arms) {
+    const std::string body = "%0 = const bit 0\n%1 = load b\n%2 = const i32 1\nif %0 {\n  " + std::string(arm) +
+                             "\n} else {\n  store b %1\n}\n";
+    EXPECT_NE(After(SpliceConstantIfs, body).find("else {"), std::string::npos) << arm;
+  }
+  const std::string statement = "%0 = const bit 1\nif %0 {\n  stmt s7\n  %0 = load c\n  store b %0\n}\n";
+  EXPECT_EQ(After(SpliceConstantIfs, statement), statement);
+  const std::string jump = "block @1 {\n  %0 = const bit 1\n  if %0 {\n    exit @1\n  }\n  store a %0\n}\n";
+  EXPECT_EQ(After(SpliceConstantIfs, jump), jump);
 }
 
 TEST(RemoveDead, UsesInNestedRegionsCount) {

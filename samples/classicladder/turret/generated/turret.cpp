@@ -113,13 +113,6 @@ void fast(State& m, Host& host) noexcept {
     }
   }
   m[C0_up_was] = t122;
-  if (false) {
-    m[C0_before] = m[COUNT_V];
-    m[COUNT_V] = Sub32(m[COUNT_V], 1);
-    if (S32(m[COUNT_V]) < 0) {
-      m[COUNT_V] = 9999;
-    }
-  }
   m[C0_down_was] = false;
   if (t121) {
     m[C0_before] = m[COUNT_V];

@@ -1030,32 +1030,16 @@ static void count_pockets(State& m, Host&) noexcept {
 // stop_magazine()
 static void stop_magazine(State& m, Host&) noexcept {
   // Y_MAG_OUT(0)
-  if (false) {
-    m[Y2] = m[Y2] | 0x40;
-  } else {
-    m[Y2] = m[Y2] & 0xBF;
-  }
+  m[Y2] = m[Y2] & 0xBF;
 
   // Y_MAG_BACK(0)
-  if (false) {
-    m[Y2] = m[Y2] | 0x80;
-  } else {
-    m[Y2] = m[Y2] & 0x7F;
-  }
+  m[Y2] = m[Y2] & 0x7F;
 
   // Y_MAG_CW(0)
-  if (false) {
-    m[Y3] = m[Y3] | 1;
-  } else {
-    m[Y3] = m[Y3] & 0xFE;
-  }
+  m[Y3] = m[Y3] & 0xFE;
 
   // Y_MAG_CCW(0)
-  if (false) {
-    m[Y3] = m[Y3] | 2;
-  } else {
-    m[Y3] = m[Y3] & 0xFD;
-  }
+  m[Y3] = m[Y3] & 0xFD;
 }
 
 // tool_change()
@@ -1121,17 +1105,9 @@ static void tool_change(State& m, Host& host) noexcept {
       // falls through: the magazine moves in the same scan
       // case CHANGE_OUT:
       // Y_MAG_BACK(0)
-      if (false) {
-        m[Y2] = m[Y2] | 0x80;
-      } else {
-        m[Y2] = m[Y2] & 0x7F;
-      }
+      m[Y2] = m[Y2] & 0x7F;
       // Y_MAG_OUT(1)
-      if (true) {
-        m[Y2] = m[Y2] | 0x40;
-      } else {
-        m[Y2] = m[Y2] & 0xBF;
-      }
+      m[Y2] = m[Y2] | 0x40;
       // if (MAG_FRONT)
       if ((m[sample_7] & 1) != 0) {
         // next_step(CHANGE_OPEN);
@@ -1142,11 +1118,7 @@ static void tool_change(State& m, Host& host) noexcept {
     case 3: {
       // case CHANGE_OPEN:
       // Y_UNCLAMP(1)
-      if (true) {
-        m[Y3] = m[Y3] | 4;
-      } else {
-        m[Y3] = m[Y3] & 0xFB;
-      }
+      m[Y3] = m[Y3] | 4;
       // if (UNCLAMPED)
       if ((m[sample_7] & 8) != 0) {
         // next_step(CHANGE_RISE);
@@ -1228,11 +1200,7 @@ static void tool_change(State& m, Host& host) noexcept {
     case 6: {
       // case CHANGE_CLOSE:
       // Y_UNCLAMP(0)
-      if (false) {
-        m[Y3] = m[Y3] | 4;
-      } else {
-        m[Y3] = m[Y3] & 0xFB;
-      }
+      m[Y3] = m[Y3] & 0xFB;
       // if (CLAMPED)
       if ((m[sample_7] & 4) != 0) {
         // next_step(CHANGE_BACK);
@@ -1243,27 +1211,15 @@ static void tool_change(State& m, Host& host) noexcept {
     case 7: {
       // case CHANGE_BACK:
       // Y_MAG_OUT(0)
-      if (false) {
-        m[Y2] = m[Y2] | 0x40;
-      } else {
-        m[Y2] = m[Y2] & 0xBF;
-      }
+      m[Y2] = m[Y2] & 0xBF;
       // Y_MAG_BACK(1)
-      if (true) {
-        m[Y2] = m[Y2] | 0x80;
-      } else {
-        m[Y2] = m[Y2] & 0x7F;
-      }
+      m[Y2] = m[Y2] | 0x80;
       // if (!MAG_HOME)
       if ((m[sample_7] & 2) == 0) {
         return;
       }
       // Y_MAG_BACK(0)
-      if (false) {
-        m[Y2] = m[Y2] | 0x80;
-      } else {
-        m[Y2] = m[Y2] & 0x7F;
-      }
+      m[Y2] = m[Y2] & 0x7F;
       // start_spindle(SPINDLE_STOPPED);
       start_spindle(m, 0, host);
       // next_step(CHANGE_DONE);
@@ -1539,11 +1495,7 @@ static void lubrication(State& m, Host&) noexcept {
   // if (!machine_on)
   if (m[machine_on] == 0) {
     // Y_LUBE(0)
-    if (false) {
-      m[Y2] = m[Y2] | 0x20;
-    } else {
-      m[Y2] = m[Y2] & 0xDF;
-    }
+    m[Y2] = m[Y2] & 0xDF;
     // clr_y(0, 7);
     m[Y0] = m[Y0] & 0x7F;
     // return;
@@ -1552,9 +1504,6 @@ static void lubrication(State& m, Host&) noexcept {
 
   // quarter += 4;
   m[lubrication_quarter] = Add8(m[lubrication_quarter], 4);
-// mill.cld - vertical milling machine XK7132: three axes, umbrella magazine, handwheel
-// Fast part every 16 ms: inputs, panel, axes, spindle, tool change. Slow part every 32 ms: lubrication, lamps, buzzer.
-
 
   // if (quarter >= 125)
   if (m[lubrication_quarter] >= 125) {
@@ -1602,6 +1551,9 @@ static void buzzer(State& m, Host&) noexcept {
     m[Y3] = m[Y3] & 0xEF;
   }
 }
+
+// mill.cld - vertical milling machine XK7132: three axes, umbrella magazine, handwheel
+// Fast part every 16 ms: inputs, panel, axes, spindle, tool change. Slow part every 32 ms: lubrication, lamps, buzzer.
 
 // fill_magazine()
 static void fill_magazine(State& m, Host&) noexcept {

@@ -1184,9 +1184,7 @@ static void plc2(State& m, Host& host) noexcept {
           record_fault(m, 2, 0xAE1DAB31, host);
         }
         const uint16_t t554 = Abs16(LowHalf32(m[At(g9_p149_from_0_by_1, t553)]));
-        if (true) {
-          record_fault(m, 1, 0xAE1DAB31, host);
-        }
+        record_fault(m, 1, 0xAE1DAB31, host);
         const uint16_t t555 = SignedDiv16(t554, 0);
         const uint16_t t556 = m[g4_p149];
         if (t555 == 0) {

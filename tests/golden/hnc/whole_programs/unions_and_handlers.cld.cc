@@ -784,10 +784,7 @@ static uint8_t f43_p81(State& m, uint16_t a44_p81, Host& host) noexcept {
   }
 
   // switch (50L >= 2 && _rotr(a44_p81, sizeof(int) & 15))
-  both_local = true;
-  if (true) {
-    both_local = RotateRight16(a44_p81, 2) != 0;
-  }
+  both_local = RotateRight16(a44_p81, 2) != 0;
   switch (static_cast<int>(both_local)) {
     default: {
       // case 5:

@@ -144,12 +144,14 @@ void Lowering::Monostable(uint32_t x, uint32_t y, uint32_t number) {
 void Lowering::Counter(uint32_t x, uint32_t y, uint32_t number) {
   constexpr uint32_t kMost = 9999;
   const Signal reset = Left(x - 1, y), preset = Left(x - 1, y + 1);
-  const ValueId up = ToBit(Left(x - 1, y + 2)), down = ToBit(Left(x - 1, y + 3));
+  const Signal up = Left(x - 1, y + 2), down = Left(x - 1, y + 3);
   const ir::PlaceId value = FieldOf(Group::kCounters, Part::kValue, number);
   const ir::PlaceId before = HiddenOf(Group::kCounters, Hidden::kBefore, number);
   const ir::PlaceId preset_place = FieldOf(Group::kCounters, Part::kPreset, number);
-  const auto count = [&](ValueId input, Hidden memory, OpKind step, OpKind beyond, uint32_t limit, uint32_t wrapped) {
+  const auto count = [&](Signal signal, Hidden memory, OpKind step, OpKind beyond, uint32_t limit, uint32_t wrapped) {
     const ir::PlaceId was = HiddenOf(Group::kCounters, memory, number);
+    const ValueId input = ToBit(signal);
+    if (signal.kind == Signal::Kind::kZero) return builder_.Store(was, input);  // not connected: it counts nothing
     const ValueId was_not = builder_.Pure(OpKind::kBitNot, {builder_.Load(was)});
     builder_.When(builder_.Pure(OpKind::kBitAnd, {input, was_not}), [&] {
       builder_.Store(before, builder_.Load(value));
