@@ -1,5 +1,6 @@
 // Explanations as indented lines.
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,9 +19,22 @@ constexpr size_t kMaxIndent = 40;
 
 std::string TimeOf(const sim::LastWrite& write) { return std::to_string(write.first_ms) + " ms"; }
 
+/// Without what an empty line parts from the comments after it: the head of a file, the title of a section.
+std::span<const source::Range> OwnComments(const ir::Statement& statement, const source::SourceManager& sources) {
+  const std::span<const source::Range> all = statement.comments;
+  if (all.size() < 2) return all;
+  const uint32_t begin = sources.Locate(statement.range.begin).line;
+  size_t first = 0;
+  for (size_t i = 1; i < all.size(); ++i) {
+    const uint32_t line = sources.Locate(all[i].begin).line;
+    if (line <= begin && line > sources.Locate(all[i - 1].end).line + 1) first = i;
+  }
+  return all.subspan(first);
+}
+
 std::string CommentOf(ir::StatementId statement, const ir::Program& program, const source::SourceManager& sources) {
   if (!statement.valid() || sources.size() == 0) return {};
-  for (const source::Range& range : program.statements[statement].comments) {
+  for (const source::Range& range : OwnComments(program.statements[statement], sources)) {
     std::string text(sources.Text(range));
     const auto is_mark = [](unsigned char c) { return c <= ' ' || c == ';' || c == '/' || c == '*' || c == '#'; };
     while (!text.empty() && is_mark(static_cast<unsigned char>(text.front()))) text.erase(0, 1);
