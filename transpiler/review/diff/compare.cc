@@ -109,6 +109,7 @@ void DropOrderOfCalls(std::vector<Gathered>& items, CellId order) {
 constexpr int kMostExamples = 60;
 constexpr size_t kMostChangesShown = 50;  // statements of which the line is sought that was changed
 constexpr uint64_t kExampleShare = 10;    // of the time: for shorter runs
+constexpr int kRestShare = 3;             // or of what is left of it, for a busy machine needs longer
 constexpr uint64_t kLastShare = 6;        // of the time: left for that, and for showing them
 constexpr uint64_t kScenariosShare = 5, kQuickSearchShare = 40, kQuickWideShare = 10, kSearchShare = 6,
                    kKeptShare = 60;   // of the time: for runs
@@ -383,8 +384,10 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     const bool shown = gathered.item.verdict == ItemVerdict::kDifferent || gathered.worst->run.has_value();
     return shown && !gathered.old_cells.empty() && gathered.old_cells.size() == gathered.new_cells.size();
   };
-  const Clock::time_point end =
-      std::min(last_end, Clock::now() + std::chrono::milliseconds(options.time_ms / kExampleShare));
+  const Clock::time_point decided = Clock::now();
+  const Clock::duration shortening = std::max<Clock::duration>(
+      std::chrono::milliseconds(options.time_ms / kExampleShare), (last_end - decided) / kRestShare);
+  const Clock::time_point end = std::min(last_end, decided + shortening);
   // A run that is known is shown, shortened or not, as long as there is a little time left.
   const Clock::time_point shown_end =
       std::min(last_end, end + std::chrono::milliseconds(options.time_ms / kExampleShare / 4));

@@ -44,6 +44,7 @@ class Shortener {
   void DropWaits(Stimuli& stimuli);
   /// Another time, if that shows it still.
   bool TakeTime(Stimulus& stimulus, const Stimulus& time);
+  /// Waits take the shortest round time that shows it still.
   void RoundTime(Stimuli& stimuli);
   /// What two waiting steps set is set at once, and both waits come after it.
   void JoinWaits();
