@@ -1,8 +1,9 @@
 // What makes m[DW10] work when DW10 is a value of several bytes that the program also reads in other widths, at odd
 // addresses, or by an index: tags, and what indexing with them returns.
 //
-// A value is composed of its bytes, so that neither the target's byte order nor its alignment matters, and no pointer
-// is read as another type; compilers make one load or store of it where the processor has one. Implements PROSTEP 5.2
+// A value is copied from and to its bytes, so that neither the target's byte order nor its alignment matters, and no
+// pointer is read as another type; compilers make one load or store of it where the processor has one, with a variable
+// index, too: composed of its bytes by shifts it is several there. Implements PROSTEP 5.2
 // (words at any address, least significant byte first) and FM 15 to 18 (indirect access).
 // Not here: words that have a member of State to themselves (they are plain references), single bits (tags.h).
 #pragma once
@@ -93,47 +94,32 @@ struct Bits<double> {
   using Integer = uint64_t;
 };
 
-/// Byte `kSignificance` (0 is the lowest) of `kBytes` bytes.
-template <ByteOrder kOrder, unsigned kBytes, unsigned kSignificance>
-[[gnu::always_inline]] constexpr inline unsigned Position() noexcept {
-  return kOrder == ByteOrder::kLittle ? kSignificance : kBytes - 1U - kSignificance;
+/// The bytes of an integer in the other order.
+[[gnu::const, gnu::always_inline]] constexpr inline uint8_t Swapped(uint8_t value) noexcept { return value; }
+[[gnu::const, gnu::always_inline]] constexpr inline uint16_t Swapped(uint16_t value) noexcept {
+  return __builtin_bswap16(value);
+}
+[[gnu::const, gnu::always_inline]] constexpr inline uint32_t Swapped(uint32_t value) noexcept {
+  return __builtin_bswap32(value);
+}
+[[gnu::const, gnu::always_inline]] constexpr inline uint64_t Swapped(uint64_t value) noexcept {
+  return __builtin_bswap64(value);
 }
 
-// Written out instead of looped: so every compiler sees that it is one load or store.
+/// As the target stores integers.
+constexpr ByteOrder kOfTarget = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? ByteOrder::kLittle : ByteOrder::kBig;
+
 template <class Integer, ByteOrder kOrder>
-[[gnu::pure, gnu::always_inline]] constexpr inline Integer Load(const uint8_t* bytes) noexcept {
-  constexpr unsigned kBytes = sizeof(Integer);
-  if constexpr (kBytes == 1) {
-    return bytes[0];
-  } else if constexpr (kBytes == 2) {
-    return static_cast<Integer>(bytes[Position<kOrder, 2, 0>()] | (bytes[Position<kOrder, 2, 1>()] << 8));
-  } else if constexpr (kBytes == 4) {
-    return uint32_t{bytes[Position<kOrder, 4, 0>()]} | (uint32_t{bytes[Position<kOrder, 4, 1>()]} << 8) |
-           (uint32_t{bytes[Position<kOrder, 4, 2>()]} << 16) | (uint32_t{bytes[Position<kOrder, 4, 3>()]} << 24);
-  } else {
-    const uint32_t first = Load<uint32_t, kOrder>(bytes), second = Load<uint32_t, kOrder>(bytes + 4);
-    return kOrder == ByteOrder::kLittle ? (uint64_t{second} << 32) | first : (uint64_t{first} << 32) | second;
-  }
+[[gnu::pure, gnu::always_inline]] inline Integer Load(const uint8_t* bytes) noexcept {
+  Integer value;
+  __builtin_memcpy(&value, bytes, sizeof value);
+  return kOrder == kOfTarget ? value : Swapped(value);
 }
 
 template <class Integer, ByteOrder kOrder>
-[[gnu::always_inline]] constexpr inline void Store(uint8_t* bytes, Integer value) noexcept {
-  constexpr unsigned kBytes = sizeof(Integer);
-  if constexpr (kBytes == 1) {
-    bytes[0] = value;
-  } else if constexpr (kBytes == 2) {
-    bytes[Position<kOrder, 2, 0>()] = static_cast<uint8_t>(value);
-    bytes[Position<kOrder, 2, 1>()] = static_cast<uint8_t>(value >> 8);
-  } else if constexpr (kBytes == 4) {
-    bytes[Position<kOrder, 4, 0>()] = static_cast<uint8_t>(value);
-    bytes[Position<kOrder, 4, 1>()] = static_cast<uint8_t>(value >> 8);
-    bytes[Position<kOrder, 4, 2>()] = static_cast<uint8_t>(value >> 16);
-    bytes[Position<kOrder, 4, 3>()] = static_cast<uint8_t>(value >> 24);
-  } else {
-    const auto low = static_cast<uint32_t>(value), high = static_cast<uint32_t>(value >> 32);
-    Store<uint32_t, kOrder>(bytes, kOrder == ByteOrder::kLittle ? low : high);
-    Store<uint32_t, kOrder>(bytes + 4, kOrder == ByteOrder::kLittle ? high : low);
-  }
+[[gnu::always_inline]] inline void Store(uint8_t* bytes, Integer value) noexcept {
+  const Integer stored = kOrder == kOfTarget ? value : Swapped(value);
+  __builtin_memcpy(bytes, &stored, sizeof stored);
 }
 
 }  // namespace wide

@@ -33,7 +33,7 @@ typedef uint8_t BYTE;
 typedef int16_t INT;
 typedef uint16_t WORD;
 typedef int32_t LONG;
-static BYTE X[128], R[768];
+BYTE X[128], R[768];
 """
 
 
@@ -138,7 +138,8 @@ class Program:
         parts = self.parts()
         calls = self.calls(parts)
         parts = [f"__attribute__((noinline)) static {line}" if line.startswith("void ") else line for line in parts]
-        variables = ["static " + line for line in self.variables()]
+        # Not static: as in the old program anybody may read them, so that no store is left out because nobody here does.
+        variables = self.variables()
         scan = ['extern "C" void reference_scan(uint32_t)', "{", *calls, "}"]
         return REFERENCE_HEAD + MACROS + "\n".join([*variables, *parts, *scan, *self.exchange("reference", lambda n: n)]) + "\n"
 
