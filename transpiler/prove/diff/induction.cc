@@ -54,7 +54,11 @@ machine::PartEnvironment EnvironmentOf(Comparison& comparison, Which which) {
                     is_old ? comparison.match.new_of_old[cell.index] : comparison.match.old_of_new[cell.index];
                 const machine::Uses& uses = is_old ? comparison.old_uses : comparison.new_uses;
                 const machine::Uses& other_uses = is_old ? comparison.new_uses : comparison.old_uses;
-                return uses.writes[cell.index] || (other.valid() && other_uses.writes[other.index]);
+                if (uses.writes[cell.index] || (other.valid() && other_uses.writes[other.index])) return true;
+                // So does what it has at power-on: a table that the loader exchanges when it likes.
+                const execute::CellId old_cell = is_old ? cell : other, new_cell = is_old ? other : cell;
+                return other.valid() &&
+                       PowerOnValue(comparison.old_version, old_cell) != PowerOnValue(comparison.new_version, new_cell);
               },
           .never_holds =
               [&comparison](terms::TermId condition) { return comparison.refuted.Has(condition, comparison.RestMs()); },
