@@ -56,16 +56,16 @@ namespace plcxx {
 [[gnu::const]] constexpr uint64_t Widen32To64(uint32_t value) noexcept { return value; }
 /// The same number in a wider word, read as two's complement.
 [[gnu::const]] constexpr uint16_t SignExtend8To16(uint8_t value) noexcept {
-  return static_cast<uint16_t>(static_cast<int8_t>(value));
+  return value > 0x7F ? static_cast<uint16_t>(0xFF00U | value) : uint16_t{value};
 }
 [[gnu::const]] constexpr uint32_t SignExtend8To32(uint8_t value) noexcept {
-  return static_cast<uint32_t>(static_cast<int8_t>(value));
+  return value > 0x7F ? 0xFFFFFF00U | value : uint32_t{value};
 }
 [[gnu::const]] constexpr uint32_t SignExtend16To32(uint16_t value) noexcept {
-  return static_cast<uint32_t>(static_cast<int16_t>(value));
+  return value > 0x7FFF ? 0xFFFF0000U | value : uint32_t{value};
 }
 [[gnu::const]] constexpr uint64_t SignExtend32To64(uint32_t value) noexcept {
-  return static_cast<uint64_t>(static_cast<int32_t>(value));
+  return value > 0x7FFFFFFFU ? 0xFFFFFFFF00000000U | value : uint64_t{value};
 }
 
 /// Quotient and remainder of unsigned words. By zero: quotient 0, remainder the dividend.

@@ -41,7 +41,9 @@ namespace plcxx {
 
 /// A shift to the right that copies the sign; by 16 or more only that is left.
 [[gnu::const]] constexpr uint16_t ArithmeticShiftRight16(uint16_t value, uint16_t count) noexcept {
-  return static_cast<uint16_t>(static_cast<int16_t>(value) >> (count > 15 ? 15 : count));
+  const auto flip = static_cast<uint16_t>(value > 0x7FFF ? 0xFFFF : 0);
+  const auto magnitude = static_cast<uint16_t>(value ^ flip);
+  return static_cast<uint16_t>((count > 15 ? 0 : magnitude >> count) ^ flip);
 }
 
 [[gnu::const]] constexpr uint16_t Widen1To16(bool value) noexcept { return value ? uint16_t{1} : uint16_t{0}; }

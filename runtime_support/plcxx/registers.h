@@ -93,7 +93,8 @@ template <class T>
   return count > 31 ? 0U : value >> count;
 }
 [[gnu::const]] constexpr uint32_t ArithmeticShiftRight32(uint32_t value, uint32_t count) noexcept {
-  return static_cast<uint32_t>(static_cast<int32_t>(value) >> (count > 31 ? 31U : count));
+  const uint32_t zeros = ShiftRight32(value, count);
+  return value > 0x7FFFFFFFU ? zeros | ~ShiftRight32(0xFFFFFFFFU, count) : zeros;
 }
 
 /// Rotations by the count modulo the width.
