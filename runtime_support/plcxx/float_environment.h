@@ -5,9 +5,8 @@
 // no compiler tells is not here: -ffp-contract=off has to be given where the processor multiplies and adds at once.
 #pragma once
 
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0
-#error "numbers with a point have infinities and NaN in a PLC program: compile without -ffast-math and -Ofast"
-#endif
-#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
-#error "each operation of a PLC program is rounded to its own type: for 32-bit x86 compile with -msse2 -mfpmath=sse"
-#endif
+static_assert(__FINITE_MATH_ONLY__ == 0,
+              "numbers with a point have infinities and NaN in a PLC program: compile without -ffast-math and -Ofast");
+static_assert(__FLT_EVAL_METHOD__ != 1 && __FLT_EVAL_METHOD__ != 2,
+              "each operation of a PLC program is rounded to its own type: for 32-bit x86 compile with -msse2 "
+              "-mfpmath=sse");
