@@ -54,6 +54,12 @@ class GeneratedHnc : public testing::Test {
     const driver::Ran ran = work_.Run("emit mill.cld -o out --quiet");
     ASSERT_EQ(ran.code, 0) << ran;
   }
+  /// The code of NAME.cld, in a folder of its name.
+  std::string Emitted(const std::string& name) {
+    const driver::Ran ran = work_.Run("emit " + name + ".cld -o " + name + " --quiet");
+    EXPECT_EQ(ran.code, 0) << ran;
+    return work_.Read(name + "/" + name + ".cpp");
+  }
   int Shell(const std::string& command) { return std::system(("cd '" + work_.Path("") + "' && " + command).c_str()); }
 
   const std::string strict_ =
@@ -86,9 +92,7 @@ TEST_F(GeneratedHnc, AFunctionHasAllLinesAboveItAndInItsHead) {
               "void init() { plc1_time = plc2_time = 16; }\n"
               "void plc1() { step(1); R[2] = pump(R[3], R[4]); }\n"
               "void plc2() {}\n");
-  const driver::Ran ran = work_.Run("emit noted.cld -o noted --quiet");
-  ASSERT_EQ(ran.code, 0) << ran;
-  const std::string code = work_.Read("noted/noted.cpp");
+  const std::string code = Emitted("noted");
   EXPECT_THAT(code, HasSubstr("\n\n// steps of the tool change\n// one step a scan\n// channel\nstatic void step("));
   EXPECT_THAT(code, HasSubstr("\n\n// coolant\n// pump 2\n// level\n// wanted\nstatic uint16_t pump("));
 }
@@ -100,9 +104,7 @@ TEST_F(GeneratedHnc, TheHeadOfAFileIsAboveItsFirstFunction) {
   work_.Write("saw.cld",
               "/*\n * saw.cld, version 3\n */\n#include \"plc.h\"\n#include \"pump.h\"\n#include \"door.h\"\n"
               "void init() { plc1_time = plc2_time = 16; }\nvoid plc1() { Y[0] = low(); door(); }\nvoid plc2() {}\n");
-  const driver::Ran ran = work_.Run("emit saw.cld -o saw --quiet");
-  ASSERT_EQ(ran.code, 0) << ran;
-  const std::string code = work_.Read("saw/saw.cpp");
+  const std::string code = Emitted("saw");
   EXPECT_THAT(code, HasSubstr("\n\n// pump of the coolant\n\n// lowest\nstatic uint16_t low("));
   EXPECT_THAT(code, HasSubstr("\n\n// saw.cld, version 3\n\n// init()\nstatic void plc_init("));
   EXPECT_THAT(code, HasSubstr("\n\n// door()\nstatic void door("));

@@ -57,6 +57,23 @@ std::vector<char*> EnvironmentOf(std::vector<std::string>& words) {
 
 /// The child leads a process group of its own, which is killed whole; that of a process which was forked stays in the
 /// group of that one, which is killed whole as well.
+class GroupAttributes {
+ public:
+  GroupAttributes() {
+    posix_spawnattr_init(&attributes_);
+    CleanUpAtEndSignals();
+    if (CleansUp()) posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+  }
+  ~GroupAttributes() { posix_spawnattr_destroy(&attributes_); }
+  GroupAttributes(const GroupAttributes&) = delete;
+  GroupAttributes& operator=(const GroupAttributes&) = delete;
+
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_;
+};
+
 ProcessResult Run(const std::vector<std::string>& arguments, int seconds, const std::string& directory,
                   const std::function<bool()>* stops) {
   ProcessResult result;
@@ -68,16 +85,12 @@ ProcessResult Run(const std::vector<std::string>& arguments, int seconds, const 
   posix_spawn_file_actions_adddup2(&actions, fds[1], 1);
   posix_spawn_file_actions_adddup2(&actions, fds[1], 2);
   if (!directory.empty()) posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  CleanUpAtEndSignals();
-  if (CleansUp()) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  const GroupAttributes attributes;
   pid_t pid = -1;
   const std::vector<char*> pointers = Pointers(arguments);
   std::vector<std::string> variables;
   const std::vector<char*> environment = EnvironmentOf(variables);
-  const int failed = posix_spawnp(&pid, pointers[0], &actions, &attributes, pointers.data(), environment.data());
-  posix_spawnattr_destroy(&attributes);
+  const int failed = posix_spawnp(&pid, pointers[0], &actions, attributes.get(), pointers.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
   close(fds[1]);
   if (failed != 0) {
@@ -191,14 +204,10 @@ bool ChildProcess::Start(const std::vector<std::string>& arguments) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, down[0], 0);
   posix_spawn_file_actions_adddup2(&actions, up[1], 1);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  CleanUpAtEndSignals();
-  if (CleansUp()) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  const GroupAttributes attributes;
   const std::vector<char*> pointers = Pointers(arguments);
   pid_t pid = -1;
-  const int failed = posix_spawnp(&pid, pointers[0], &actions, &attributes, pointers.data(), environ);
-  posix_spawnattr_destroy(&attributes);
+  const int failed = posix_spawnp(&pid, pointers[0], &actions, attributes.get(), pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(down[0]);
   close(up[1]);

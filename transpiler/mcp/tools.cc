@@ -6,13 +6,14 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
+#include "transpiler/compile/child_process.h"
 #include "transpiler/diagnostics/explain.h"
 #include "transpiler/dialects/dialect.h"
 #include "transpiler/mcp/command.h"
-#include "transpiler/mcp/temporary_folder.h"
 #include "transpiler/mcp/why_tool.h"
 #include "transpiler/project/project.h"
 
@@ -20,6 +21,11 @@ namespace plcxx::mcp {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What is shown and not kept is written there.
+void RequireRoom(const compile::TemporaryDirectory& temporary) {
+  if (!temporary.valid()) throw std::runtime_error("there is no room for a temporary folder");
+}
 
 // --- what a folder holds -------------------------------------------------------------------------------------------
 
@@ -141,7 +147,8 @@ Json RunEmit(const Workplace& workplace, const Json& arguments) {
     command.AddWord(*name);
   }
   const auto output = rpc::OptionalText(arguments, "output");
-  const TemporaryFolder temporary;
+  const compile::TemporaryDirectory temporary;
+  RequireRoom(temporary);
   command.Add("-o");
   if (output) {
     command.AddPath(*output);
@@ -322,7 +329,8 @@ Json RunProve(const Workplace& workplace, const Json& arguments) {
   Command command(workplace, arguments, "prove");
   command.Add("--format=json");
   command.AddProgram();
-  const TemporaryFolder temporary;
+  const compile::TemporaryDirectory temporary;
+  RequireRoom(temporary);
   const std::string file = temporary.path() + "/properties";
   const std::vector<std::string> properties = TextsOf(arguments, "properties");
   command.AddTime(std::max<size_t>(properties.size(), 1));

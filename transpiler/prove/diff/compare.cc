@@ -194,17 +194,17 @@ void ProveWithRenamed(Comparison& comparison) {
   if (!again.refusal.empty()) return;
   AddMatched(again);
   for (PairResult& result : again.results) {
-    const uint32_t known = comparison.result_of_old[result.old_cell.index];
-    if (known == kNone || comparison.results[known].verdict != PairVerdict::kDifferent) continue;
+    const PairResult* const known = comparison.ResultOf(result.old_cell);
+    if (known == nullptr || known->verdict != PairVerdict::kDifferent) continue;
     result.verdict = PairVerdict::kDifferent;
     again.pairing.Separate(result.old_cell);
   }
   again.round_ms = limits.total_ms / 3;
   if (!CheckPowerOn(again) || !FindInductiveSet(again) || !again.is_inductive) return;
   for (PairResult& result : comparison.results) {
-    const uint32_t there = again.result_of_old[result.old_cell.index];
-    const bool is_proved = result.verdict == PairVerdict::kUndecided && there != kNone &&
-                           again.results[there].new_cell == result.new_cell && again.pairing.IsEqual(result.old_cell);
+    const PairResult* const there = again.ResultOf(result.old_cell);
+    const bool is_proved = result.verdict == PairVerdict::kUndecided && there != nullptr &&
+                           there->new_cell == result.new_cell && again.pairing.IsEqual(result.old_cell);
     if (is_proved) result.verdict = PairVerdict::kEqual;
   }
 }
