@@ -2,11 +2,18 @@
 
 The engine is that of LinuxCNC 2.9. What it does not survive is left out: indices beyond its memory, jumps without end.
 """
-INPUTS, WORD_INPUTS, OUTPUTS, WORD_OUTPUTS = 12, 2, 15, 10
+INPUTS, WORD_INPUTS, OUTPUTS, WORD_OUTPUTS = 12, 3, 15, 10
 WIDTH, HEIGHT = 10, 6
+# Inputs that index something, by what they reach: the second one 0 to 4, the third one -2 to 2 (`inputs`). Behind the last
+# variable of a kind is the next kind; behind the last record (a timer, a counter) is nothing that the engine survives.
+FORWARD, BOTH = [(0, 1), (50, 3), (25, 1), (270, 1), (270, 1)], [(270, 2)]
+FLAT = {0: 20, 50: 15, 60: 15, 30: 100, 200: 20, 270: 10, 280: 10, 220: 100}
+RECORDS = [10, 11, 15, 20, 25, 26, 27, 230, 231, 240, 241, 250, 251, 260, 261]
 
 BITS = [(0, 12), (10, 3), (11, 3), (15, 3), (20, 3), (25, 3), (26, 3), (27, 3), (30, 6), (50, INPUTS), (60, OUTPUTS),
         (70, 4)]
+WIDE_COILS = [(11, 3), (15, 3), (20, 3), (25, 3), (26, 3), (27, 3), (50, INPUTS), (200, 9), (230, 3), (240, 3), (250, 3),
+              (251, 3), (260, 3), (261, 3), (270, WORD_INPUTS), (280, 5), (310, 3), (231, 3), (220, 4)]
 COILS = [(0, 12), (60, OUTPUTS), (0, 12), (60, OUTPUTS), (30, 8), (10, 3), (70, 4)]
 WORDS = [(200, 9), (220, 4), (230, 3), (231, 3), (240, 3), (241, 3), (250, 3), (251, 3), (260, 3), (261, 3),
          (270, WORD_INPUTS), (280, 5), (310, 3)]
@@ -20,6 +27,7 @@ class Program:
         self.rungs = {}
         self.sections = []
         self.subroutines = random.choice([0, 0, 1, 2])
+        self.wide = random.random() < 0.6  # indices into everything, coils of words, seconds, large numbers
         self.make()
 
     def pick(self, rows):
@@ -28,6 +36,8 @@ class Program:
 
     # --- expressions
     def variable(self):
+        if self.wide and self.random.random() < 0.3:
+            return "@%s@" % self.indexed()
         kind, number = self.pick(self.random.choice([WORDS, WORDS, BITS]))
         index = ""
         if kind in (0, 50, 60, 200, 230, 251) and self.random.random() < 0.25:
@@ -35,8 +45,22 @@ class Program:
             number = min(number, 1)
         return "@%d/%d%s@" % (kind, number, index)
 
+    def indexed(self, flat=tuple(FLAT), records=RECORDS):
+        """Near the ends of its kind, too."""
+        both = self.random.random() < 0.3
+        if self.random.random() < 0.5:
+            kind = self.random.choice(flat)
+            number = self.random.choice([0, 1, FLAT[kind] - 1, FLAT[kind] - 3, self.random.randrange(FLAT[kind])])
+            number = max(number, 2) if both else number
+        else:
+            kind = self.random.choice(records)
+            number = self.random.choice([0, 1, 5]) + (2 if both else 0)
+        return "%d/%d[%d/%d]" % ((kind, number) + self.random.choice(BOTH if both else FORWARD))
+
     def term(self, depth):
         choice = self.random.random()
+        if self.wide and choice < 0.1:
+            return self.random.choice(["2147483647", "$FFFF", "-2147483647", "10000", "256", "$7FFFFFFF", "-1", "9998"])
         if choice < 0.25:
             return self.random.choice([str(self.random.randrange(30)), "$1F", "-3", "70000"])
         if choice < 0.7 or depth == 0:
@@ -45,7 +69,7 @@ class Program:
             return "!" + self.variable()
         if choice < 0.9:
             name = self.random.choice(["ABS", "MINI", "MAXI", "MOY", "AVG"])
-            count = 1 if name == "ABS" else self.random.randint(1, 2)
+            count = 1 if name == "ABS" else self.random.randint(1, 3 if self.wide else 2)
             return "%s(%s)" % (name, ",".join(self.variable() for _ in range(count)))
         return "(%s)" % self.arithmetic(depth - 1)
 
@@ -75,7 +99,16 @@ class Program:
     def operation(self):
         assign = self.random.choice([":=", "=", " := "])
         if self.random.random() < 0.15:
+            if self.wide and self.random.random() < 0.5:
+                bits = [kind for kind in RECORDS if kind < 200]
+                return "@%s@" % self.indexed((0, 50, 60, 30), bits) + assign + "!" + self.variable()
             return "@%d/%d@" % self.pick(COILS) + assign + "!" + self.variable()
+        if self.wide and self.random.random() < 0.3:
+            words = [kind for kind in RECORDS if kind >= 200]
+            target = self.indexed((200, 280, 220), words)
+            right = self.arithmetic(1 if len(target) < 14 else 0)
+            small = self.random.random() < 0.7 and not target.startswith(("200/", "280/"))
+            return "@%s@" % target + assign + ("(%s)%%6" % right if small else right)
         kind, number = self.pick(TARGETS)
         if kind == 200 and self.random.random() < 0.3:
             return "@200/1[270/1]@" + assign + self.arithmetic(1)
@@ -112,12 +145,15 @@ class Program:
             block(60, self.expression(self.operation), self.random.randint(2, 9), self.random.randrange(rows), 2, 0)
         for y in range(rows):
             for x in range(WIDTH):
-                if taken[y][x] or self.random.random() < 0.1:
+                if taken[y][x]:
+                    continue
+                if self.random.random() < 0.1:
+                    put(x, y, "0-%d-0/0" % joined(y))  # free, and joined
                     continue
                 index = "[%d/%d]" % self.random.choice([(0, 1), (270, 1)]) if self.random.random() < 0.05 else ""
                 choice = self.random.random()
                 if x > 2 and choice < 0.22:
-                    kind, number = self.pick(COILS)
+                    kind, number = self.pick(WIDE_COILS if self.wide and self.random.random() < 0.4 else COILS)
                     put(x, y, "%d-%d-%d/%d%s" % (self.random.choice([50, 50, 51, 52, 53]), joined(y), kind, number, index))
                 elif choice < 0.45:
                     put(x, y, "9-%d-0/0" % joined(y))
@@ -155,12 +191,13 @@ class Program:
         lines = ["#VER=1.0"]
         steps = self.random.randint(2, 6)
         for i in range(steps):
-            lines.append("S%d,%d,%d,0,1,1" % (i, 1 if i == 0 or self.random.random() < 0.2 else 0, i))
+            number = i if not self.wide else self.random.choice([i, i + 1, 5 - i, i * 3])
+            lines.append("S%d,%d,%d,0,1,1" % (i, 1 if i == 0 or self.random.random() < 0.2 else 0, number))
         pick = lambda most: self.random.sample(range(steps), min(steps, self.random.randint(0 if most > 1 else 1, most)))
         pad = lambda chosen: ",".join(str(s) for s in chosen + [-1] * (10 - len(chosen)))
         for i in range(self.random.randint(1, 6)):
             lines.append("T%d,%s,%s,%s,0,1,1" % (i, pad(pick(2)), pad(pick(1)), ",".join(["-1"] * 20)))
-            lines.append("C%d,0,%d/%d" % ((i,) + self.pick(BITS)))
+            lines.append("C%d,0,%d/%d" % ((i,) + self.pick(WORDS if self.wide and self.random.random() < 0.2 else BITS)))
         return lines
 
     def make(self):
@@ -182,10 +219,15 @@ class Program:
             out.extend(lines)
             out.append("_/FILE-" + name)
 
-        base = lambda: "2,%d" % self.random.randrange(5)
+        def base():
+            if not self.wide:
+                return "2,%d" % self.random.randrange(5)
+            return "%d,%d" % self.random.choice([(2, self.random.randrange(5)), (2, self.random.randrange(-2, 12)),
+                                                 (1, self.random.randrange(3)), (0, self.random.randrange(2))])
         part("timers.csv", [base() for _ in range(10)])
         part("monostables.csv", [base() for _ in range(10)])
-        part("counters.csv", [str(self.random.randrange(5)) for _ in range(10)])
+        part("counters.csv", [str(self.random.choice([9999, 10000, -1, 9998]) if self.wide and self.random.random() < 0.2
+                                   else self.random.randrange(5)) for _ in range(10)])
         part("timers_iec.csv", ["%s,%d" % (base(), self.random.randrange(3)) for _ in range(10)])
         part("arithmetic_expressions.csv", ["#VER=2.0"] + ["%04d,%s" % (i, t) for i, t in enumerate(self.expressions)])
         part("sequential.csv", self.page() if self.has_page else ["#VER=1.0"])
@@ -199,7 +241,7 @@ class Program:
 
 
 def inputs(random, scans, word_inputs=WORD_INPUTS, small=True):
-    """A row for each scan; most inputs stay for a while."""
+    """A row for each scan; most inputs stay for a while. Numbers are small where they are indices."""
     rows, row = [], [0] * INPUTS + [0] * word_inputs
     for _ in range(scans):
         for i in range(INPUTS):
@@ -207,6 +249,11 @@ def inputs(random, scans, word_inputs=WORD_INPUTS, small=True):
                 row[i] = 1 - row[i]
         for i in range(word_inputs):
             if random.random() < 0.1:
-                row[INPUTS + i] = random.randrange(5) if small or i == 1 else random.randint(-400, 400)
+                if i == 2:
+                    row[INPUTS + i] = random.randint(-2, 2)
+                elif i == 1 or small and random.random() < 0.7:
+                    row[INPUTS + i] = random.randrange(5)
+                else:
+                    row[INPUTS + i] = random.choice([random.randint(-400, 400), random.randint(-2**31, 2**31 - 1)])
         rows.append(list(row))
     return rows
