@@ -135,6 +135,7 @@ class Generator {
   // --- the scenario ---
 
   std::string Setting() {
+    if (random_.OneIn(6)) return random_.Pick(networks_.floats()).substr(1) + ": " + Real();
     if (random_.OneIn(3)) {
       const Texts& from = random_.OneIn(4) ? networks_.words() : networks_.bits();
       const std::string& address = random_.Pick(from);
@@ -150,9 +151,7 @@ class Generator {
       case 0:
         return random_.Pick(Texts{"IW0", "IW110", "IW300", "W0", "W1", "W101", "W300", "QW5"}) + ": " + Whole();
       case 1:
-        return random_.Pick(Texts{"IF0", "IF300", "F0", "F100", "F101"}) + ": " +
-               random_.Pick(Texts{"0.0", "1.5", "-2.25", "1e10", "-3e9", "2147483648.0", "0.1", "1e-40", "nan", "inf",
-                                  "-0.0", "7.5"});
+        return random_.Pick(Texts{"IF0", "IF300", "F0", "F100", "F101"}) + ": " + Real();
       case 2:
         return random_.Pick(Texts{"B0", "B1", "B500", "B501", "Q0", "Q400", "Q1001"}) + ": " +
                std::to_string(random_.Below(2));
@@ -162,6 +161,14 @@ class Generator {
         return random_.Pick(Texts{"I0", "I1", "I2", "I3", "I4", "I199", "I500", "I2000"}) + ": " +
                std::to_string(random_.Below(2));
     }
+  }
+
+  /// Halves and the ends of what a word holds, which a conversion rounds and limits.
+  std::string Real() {
+    return random_.Pick(Texts{
+        "0.0",          "1.5",  "-2.25",         "1e10",          "-3e9",      "2147483648.0", "0.1", "1e-40", "nan",
+        "inf",          "-0.0", "7.5",           "-0.5",          "0.5",       "0.49999997",   "2.5", "-2.5",  "-inf",
+        "2147483520.0", "-7.5", "-2147483648.0", "-2147483904.0", "4194303.8", "-1.4999999",   "3.0", "2.0"});
   }
 
   std::string Whole() {

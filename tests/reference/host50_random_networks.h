@@ -34,6 +34,7 @@ class Networks {
   /// Bits that a scenario may set, and words.
   const Texts& bits() const { return bits_; }
   const Texts& words() const { return words_; }
+  const Texts& floats() const { return floats_; }
 
   void Begin(Section section, Callees callees) {
     section_ = section;

@@ -31,7 +31,7 @@ class ProstepGenerator : ProstepOperands {
     }
     if (modules.size() < 2) modules.push_back(modules.empty() || modules[0] != 9 ? 9 : 10);
     for (const uint32_t number : modules) {
-      if (number >= 17 || Chance(3)) subroutines_.push_back(number);
+      if (number >= 17 || Chance(12)) subroutines_.push_back(number);
     }
     std::vector<uint32_t> text_order = modules;
     for (uint32_t k = static_cast<uint32_t>(text_order.size()); k > 1; --k) {

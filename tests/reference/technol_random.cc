@@ -9,6 +9,7 @@
 #include "tests/reference/technol.h"
 #include "tests/reference/technol_random_code.h"
 #include "tests/reference/technol_random_macros.h"
+#include "tests/reference/technol_random_segments.h"
 
 namespace plcxx::reference {
 namespace {
@@ -160,6 +161,10 @@ class TechnolGenerator : StraightCode {
 
   void Acting() {
     Loaded reads = 0;
+    if (segment_ != kNone && !mechanisms_.empty() && Chance(6)) {  // of one that may have called
+      EmitTechnol("MECH_INIT " + random_.Pick(mechanisms_), 0, 0, false);
+      return;
+    }
     switch (Weighed(habits_.acting)) {
       case 0:
         Ensure(kRlo);
@@ -228,9 +233,13 @@ class TechnolGenerator : StraightCode {
   }
 
   std::string SomeLabel() {
+    if (!targets_.empty()) return random_.Pick(targets_);
     // The subprogram area is one unit (6.4): also a later subprogram's label, which makes no ring.
     if (segment_ != kNone && segment_ + 1 < segments_.size() && Chance(15)) {
       return segments_[segment_ + 1 + Below(static_cast<uint32_t>(segments_.size()) - segment_ - 1)];
+    }
+    if (segment_ != kNone && segment_ > 0 && Chance(10)) {
+      if (const std::string label = LabelAbove(); !label.empty()) return label;
     }
     if (forward_only_) {
       return placed_ < labels_ ? Label(placed_ + Below(labels_ - placed_)) : "";
@@ -238,6 +247,15 @@ class TechnolGenerator : StraightCode {
     return labels_ == 0 ? "" : Label(Below(labels_));
   }
   std::string Label(uint32_t number) const { return "L" + Text(unit_) + "_" + Text(number); }
+
+  /// One of an earlier subprogram.
+  std::string LabelAbove() {
+    const uint32_t target = Below(segment_);
+    if (!made_segments_.JumpsBackTo(target)) return "";
+    const Segments::Labels labels = made_segments_.LabelsOf(target);
+    if (labels.count == 0 || Chance(40)) return segments_[target];
+    return "L" + Text(labels.unit) + "_" + Text(Below(labels.count));
+  }
 
   void Jump() {
     const std::string label = SomeLabel();
@@ -257,11 +275,9 @@ class TechnolGenerator : StraightCode {
       Ensure(Word(kEcx));
       Emit("JCXZ " + label, Word(kEcx), 0, 0, false);
     } else {
-      static constexpr std::array<const char*, 26> kJumps = {
-          "JE",  "JZ", "JNE",  "JNZ", "JC",  "JB", "JNAE", "JNC", "JAE", "JNB", "JA",  "JNBE", "JBE",
-          "JNA", "JG", "JNLE", "JGE", "JNL", "JL", "JNGE", "JLE", "JNG", "JS",  "JNS", "JO",   "JNO"};
-      Ensure(kAllFlags);
-      Emit(One(kJumps) + (Chance(10) ? " SHORT " : " ") + label, kAllFlags, 0, 0, false);
+      const FlagJump& jump = kFlagJumps[Below(kFlagJumps.size())];
+      Ensure(jump.reads);
+      Emit(jump.word + std::string(Chance(10) ? " SHORT " : " ") + label, jump.reads, 0, 0, false);
     }
   }
 
@@ -273,6 +289,7 @@ class TechnolGenerator : StraightCode {
     Ensure(kSubprogramBase);
     reads_zero_ = outer_zero;
     const uint32_t target = first + Below(static_cast<uint32_t>(segments_.size()) - first);
+    if (segment_ != kNone) made_segments_.Calls(target);
     EmitTechnol("CALL " + segments_[target], kSubprogramBase, 0, false);
   }
 
@@ -327,6 +344,7 @@ class TechnolGenerator : StraightCode {
           break;
         case 2:
           Assembler(true);
+          for (uint32_t probes = Chance(30) ? 1 + Below(3) : 0; probes > 0; --probes) FlagProbe();
           break;
         case 3:
           Acting();
@@ -343,11 +361,45 @@ class TechnolGenerator : StraightCode {
       }
     }
   }
-  void PlaceLabel() {
+  void PlaceLabel() { Place(Label(placed_++)); }
+  void Place(const std::string& label) {
     PutLabelDown();
-    waiting_label_ = Label(placed_++) + ":";
+    waiting_label_ = label + ":";
     if (!Chance(40) || is_plain_) PutLabelDown();
     AtLabel();
+  }
+
+  /// Steps one after the other as people write them: what goes wrong leads to one place below, which may begin again.
+  void Sequence() {
+    labels_ = placed_ = 0;
+    const std::string name = "K" + Text(unit_), fault = name + "_CHYBA", end = name + "_KONEC";
+    const auto act = [&] {
+      for (uint32_t k = Below(4); k > 0; --k) {
+        Chance(50) ? Acting() : PureTechnol();
+      }
+    };
+    const auto leave_for = [&](const std::string& label) {
+      targets_ = {label};
+      Jump();
+      targets_.clear();
+    };
+    const bool begins_again = Chance(60);
+    if (begins_again) Place(name + "_ZNOVU");
+    for (uint32_t steps = 1 + Below(4); steps > 0; --steps) {
+      act();
+      targets_ = {fault};
+      if (Chance(30)) targets_.push_back(end);
+      Wait();
+      if (Chance(30)) Jump();
+      targets_.clear();
+    }
+    if (Chance(60)) EmitTechnol("JUM " + end, 0, 0, false);
+    Place(fault);
+    act();
+    if (begins_again && Chance(70)) leave_for(name + "_ZNOVU");
+    Place(end);
+    act();
+    if (begins_again && Chance(20)) leave_for(name + "_ZNOVU");
   }
 
   /// A unit with its own labels around `inside`.
@@ -415,7 +467,8 @@ class TechnolGenerator : StraightCode {
   void Mechanism(uint32_t number) {
     const bool outer = std::exchange(inside_, true);
     const bool outer_zero = std::exchange(reads_zero_, false);
-    Unit("  MECH_BEGIN " + mechanisms_[number], "  MECH_END " + mechanisms_[number], true, [&] { Body(size_, true); });
+    Unit("  MECH_BEGIN " + mechanisms_[number], "  MECH_END " + mechanisms_[number], true,
+         [&] { Chance(35) ? Sequence() : Body(size_, true); });
     inside_ = outer;
     reads_zero_ = outer_zero;
   }
@@ -425,10 +478,12 @@ class TechnolGenerator : StraightCode {
     reads_zero_ = false;
     for (segment_ = 0; segment_ < segments_.size(); ++segment_) {
       const bool falls = segment_ + 1 < segments_.size() && Chance(30);
+      made_segments_.Begin();
       Unit(segments_[segment_] + ":", falls ? "" : "  RET", false, [&] {
         base_ = kSubprogramBase;
         AtLabel();
         Body(size_, false);
+        made_segments_.End({.unit = unit_, .count = labels_});
       });
     }
     segment_ = kNone;
@@ -518,13 +573,15 @@ class TechnolGenerator : StraightCode {
   std::map<std::string, std::string> options_;
   std::vector<std::string> steps_;
   uint32_t top_level_ = 0;             // of mechanisms_: the first ones
-  std::vector<std::string> segments_;  // their names
+  std::vector<std::string> segments_;  // of subprograms: their names
+  Segments made_segments_;
   AwkwardNames awkward_;
   uint32_t segment_ = kNone;
   uint32_t units_ = 0;
   // of the unit
   uint32_t unit_ = 0, labels_ = 0, placed_ = 0, calls_ = 0;
   bool forward_only_ = false;
+  std::vector<std::string> targets_;  // of jumps here; none: any label of the unit
 };
 
 }  // namespace

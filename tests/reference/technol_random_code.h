@@ -12,18 +12,9 @@
 
 #include "tests/reference/random_program.h"
 #include "tests/reference/technol_random_data.h"
+#include "tests/reference/technol_random_flags.h"
 
 namespace plcxx::reference::technol_code {
-
-/// RLO, flags, and the low byte, high byte and upper half of each register.
-using Loaded = uint32_t;
-constexpr Loaded kRlo = 1, kCf = 2, kZf = 4, kSf = 8, kOf = 16, kAf = 32;
-constexpr Loaded kAllFlags = kCf | kZf | kSf | kOf | kAf;
-constexpr uint32_t kEax = 0, kEbx = 1, kEcx = 2, kEdx = 3;
-constexpr Loaded Parts(uint32_t reg, Loaded parts) { return parts << (6 + 3 * reg); }
-constexpr Loaded Whole(uint32_t reg) { return Parts(reg, 7); }
-constexpr Loaded Word(uint32_t reg) { return Parts(reg, 3); }
-constexpr Loaded kDr = Whole(kEcx);
 
 /// What one program is like.
 struct Habits {
@@ -293,6 +284,10 @@ class StraightCode {
     for (uint32_t reg = 0; reg < 6; ++reg) {
       if ((wanted & Whole(reg) & ~loaded_) == 0) continue;
       if (reads_zero_ && reg != kEcx && Chance(30)) continue;  // TW023: 0
+      if (Chance(15)) {
+        BoundedRegister(reg, kLong[reg], (wanted & Whole(reg) & ~Word(reg)) != 0);
+        continue;
+      }
       // The ends of the areas that an index may reach (5.1).
       const std::string value = Chance(50)   ? Text(Below(12))
                                 : Chance(40) ? One(std::array{"999", "998", "996", "1000", "1631", "1628", "1632", "63",
@@ -304,6 +299,53 @@ class StraightCode {
     if ((wanted & kAllFlags & ~loaded_) != 0) {
       Emit(Chance(50) ? "CMP B0," + Constant(8) : "CMP W1," + Constant(16), 0, kAllFlags, 0, true);
     }
+  }
+
+  /// A value that its own instructions keep below something, which an index needs no check for.
+  void BoundedRegister(uint32_t reg, const std::string& name, bool is_long) {
+    const std::string& half = name.substr(1);
+    const std::string byte = One(std::array{"B0", "B1", "BYTE.TAB", "BYTE.W0"});
+    const std::string last = Text(Chance(70) ? (1 << Below(6)) - 1 : Below(1100));
+    switch (Below(3)) {
+      case 0:
+        Emit("MOVZX " + (is_long ? name : half) + "," + byte, 0, is_long ? Whole(reg) : Word(reg), 0, true);
+        break;
+      case 1:
+        Emit("MOVZX " + name + ",W" + Text(Below(3)), 0, Whole(reg), 0, true);
+        Emit("AND " + (is_long && Chance(50) ? name : half) + "," + last, Whole(reg), Whole(reg) | (kAllFlags & ~kAf),
+             kAf, true);
+        break;
+      default:
+        Emit("MOV " + name + ",0", 0, Whole(reg), 0, true);
+        if (reg < 4) Emit("MOV " + std::string(1, name[1]) + "L," + byte, 0, Parts(reg, 1), 0, true);
+        break;
+    }
+  }
+
+  /// What a flag is, kept in a byte: only a jump shows one. The flags stay, so several may follow each other.
+  void FlagProbe() {
+    std::vector<FlagJump> readable;
+    for (const FlagJump& jump : kFlagJumps) {
+      if ((jump.reads & ~loaded_) == 0) readable.push_back(jump);
+    }
+    if (readable.empty()) return;
+    constexpr Loaded kAdjusted = Parts(kEax, 1) | kCf | kAf;
+    if ((kAdjusted & ~loaded_) == 0 && Chance(20)) {  // what AF is, nothing else shows
+      Emit(One(std::array{"DAA", "DAS"}), kAdjusted, kAdjusted | kZf | kSf, kOf, true);
+      return;
+    }
+    const FlagJump& jump = random_.Pick(readable);
+    const std::string label = "PRIZNAK" + Text(probes_++);
+    Emit(std::string(jump.word) + " " + label, jump.reads, 0, 0, false);
+    Loaded reads = 0;
+    const std::string to = Chance(80) ? One(std::array{"B0", "B1", "BITS", "BYTE.W2"}) : AssemblerMemory(8, reads);
+    if ((reads & ~loaded_) != 0) {
+      Emit("NOT BITS", 0, 0, 0, false);
+    } else {
+      Emit("MOV " + to + "," + Text(Below(256)), reads, 0, 0, false);
+    }
+    waiting_label_ = label + ":";
+    if (!Chance(40) || is_plain_) PutLabelDown();
   }
 
   void AtLabel() {
@@ -534,6 +576,7 @@ class StraightCode {
   std::string waiting_label_;         // of the next line
   std::vector<Piece>* at_ = nullptr;  // where lines go
   std::vector<std::string> mechanisms_;
+  uint32_t probes_ = 0;
   bool aborts_ = false;      // mech-clear=abort: inside a mechanism no activation bit is written
   bool inside_ = false;      // a mechanism or a subprogram
   bool reads_zero_ = false;  // no wait is near: a register that is not loaded is 0
