@@ -1,5 +1,7 @@
 #include "tests/reference/random_program.h"
 
+#include "tests/reference/capricious_control.h"
+
 namespace plcxx::reference {
 namespace {
 
@@ -37,6 +39,7 @@ std::vector<RenderedFile> Render(const RandomProgram& program, const std::string
     if (file.is_source) sources += (sources.empty() ? "" : ", ") + file.name;
   }
   std::string scenario = "dialect: " + dialect + "\nsources: [" + sources + "]\n";
+  if (program.caprices) scenario += CapriciousLine(*program.caprices);
   if (!program.options.empty()) {
     scenario += "options:\n";
     for (const auto& [key, value] : program.options) scenario += "  " + key + ": '" + value + "'\n";

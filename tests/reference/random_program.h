@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,7 +56,8 @@ struct RandomFile {
 struct RandomProgram {
   std::vector<RandomFile> files;
   std::map<std::string, std::string> options;
-  std::vector<std::string> steps;  // of the scenario, each one line: "set: {I0A3: 1}"
+  std::vector<std::string> steps;         // of the scenario, each one line: "set: {I0A3: 1}"
+  std::optional<uint64_t> caprices = {};  // the control's (capricious_control.h); none: it is obliging
 };
 
 enum class ProgramSize : uint8_t { kSmall, kLarge };

@@ -12,7 +12,7 @@
 namespace plcxx::reference {
 namespace {
 
-constexpr uint32_t kPrograms = 200, kLargeOneIn = 20;
+constexpr uint32_t kPrograms = 200, kLargeOneIn = 20, kCapriciousOneIn = 3;
 
 class RandomPrograms : public testing::TestWithParam<ReferenceDialect> {};
 
@@ -23,8 +23,8 @@ TEST_P(RandomPrograms, Agree) {
   for (uint32_t i = 0; i < kPrograms; ++i) {
     Random random(i);
     const bool large = i % kLargeOneIn == kLargeOneIn - 1;
-    const RandomProgram program =
-        dialect.generate(random, large ? ProgramSize::kLarge : ProgramSize::kSmall, Spelling::kAny);
+    RandomProgram program = dialect.generate(random, large ? ProgramSize::kLarge : ProgramSize::kSmall, Spelling::kAny);
+    if (i % kCapriciousOneIn == 0) program.caprices = i;
     const RunResult result = RunRandom(program, dialect, directory.path().string());
     compared += result.compared;
     EXPECT_EQ(result.outcome, Outcome::kAgrees) << "seed " << i << ": " << result.text;

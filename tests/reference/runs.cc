@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "tests/reference/capricious_control.h"
 #include "tests/reference/reference_engine.h"
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/diagnostics/render.h"
@@ -79,17 +80,21 @@ RunResult RunBeside(const scenarios::Scenario& scenario, compilation::Compilatio
   engines.push_back(std::move(simulator));
   engines.push_back(std::move(reference));
   engines::Lockstep lockstep(compilation.program, std::move(engines));
-  const std::optional<std::string> failure =
-      scenarios::RunScenario({.scenario = scenario,
-                              .plan = std::get<scenarios::ScenarioPlan>(plan),
-                              .dialect = *compilation.dialect,
-                              .program = compilation.program,
-                              .sources = *compilation.sources,
-                              .engines = lockstep,
-                              .writes = nullptr,
-                              .stub = compilation.dialect->make_stub == nullptr
-                                          ? nullptr
-                                          : compilation.dialect->make_stub(compilation.program, compilation.options)});
+  std::unique_ptr<dialects::ControlStub> control;
+  if (compilation.dialect->make_stub != nullptr) {
+    control = compilation.dialect->make_stub(compilation.program, compilation.options);
+  }
+  if (const std::optional<uint64_t> seed = CapriciousSeed(scenario.path)) {
+    control = MakeCapricious(compilation.program, *seed, std::move(control));
+  }
+  const std::optional<std::string> failure = scenarios::RunScenario({.scenario = scenario,
+                                                                     .plan = std::get<scenarios::ScenarioPlan>(plan),
+                                                                     .dialect = *compilation.dialect,
+                                                                     .program = compilation.program,
+                                                                     .sources = *compilation.sources,
+                                                                     .engines = lockstep,
+                                                                     .writes = nullptr,
+                                                                     .stub = std::move(control)});
   if (failure) return {Outcome::kDisagrees, *failure, result.compared};
   if (!beside.reference().unsupported().empty()) {  // met while it ran
     return {Outcome::kUnsupported, scenario.path + ": " + Joined(beside.reference().unsupported()), 0};

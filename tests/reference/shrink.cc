@@ -110,6 +110,11 @@ class Shrinking {
       less.options.erase(key);
       any |= Take(std::move(less));
     }
+    if (program_.caprices) {
+      RandomProgram obliging = program_;
+      obliging.caprices.reset();
+      any |= Take(std::move(obliging));
+    }
     RandomProgram plain = program_;
     for (RandomFile& file : plain.files) {
       file = {.name = file.name, .pieces = std::move(file.pieces), .is_source = file.is_source};

@@ -65,8 +65,9 @@ struct Waiting {
   uint64_t seed = 0;
   JudgedProgram judged;
 };
-constexpr int kMostTries = 30;    // of a golden program with changes
-constexpr size_t kTogether = 16;  // programs of one call of a compiler
+constexpr int kMostTries = 30;            // of a golden program with changes
+constexpr uint32_t kCapriciousOneIn = 3;  // programs
+constexpr size_t kTogether = 16;          // programs of one call of a compiler
 
 class Soak {
  public:
@@ -205,6 +206,7 @@ class Soak {
       return crossed ? goldens_[index].Crossed(random) : dialect.generate(random, size, Spelling::kAny);
     };
     RandomProgram program = make();
+    if (random.OneIn(kCapriciousOneIn)) program.caprices = random.Next();
     RunResult result = RunRandom(program, dialect, directory);
     // Most changes make an error of a line: another one, until the program runs.
     for (int i = 0; crossed && i < kMostTries && result.outcome == Outcome::kNothingToRun; ++i) {
