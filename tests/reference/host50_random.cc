@@ -156,6 +156,11 @@ class Generator {
         return random_.Pick(Texts{"B0", "B1", "B500", "B501", "Q0", "Q400", "Q1001"}) + ": " +
                std::to_string(random_.Below(2));
       case 3:
+        if (random_.OneIn(3)) {
+          return random_.Pick(Texts{"TM0.", "TM1.", "TM2.", "TM3.", "TM5.", "C0.", "C1."}) +
+                 (random_.OneIn(2) ? "Q: " + std::to_string(random_.Below(2))
+                                   : random_.Pick(Texts{"P: ", "V: "}) + std::to_string(random_.Below(9)));
+        }
         return random_.Pick(Texts{"C0.V", "C1.V", "C100.V"}) + ": " + std::to_string(random_.Below(9));
       default:
         return random_.Pick(Texts{"I0", "I1", "I2", "I3", "I4", "I199", "I500", "I2000"}) + ": " +

@@ -494,7 +494,14 @@ class Generator : Nc110Habits {
                                   "I3K1", "I9K2", "I0N0", "I10K0", "I10N4", "I26K1", "I31A31", "I157K0"};
     static const Texts kWords = {"W0A0",  "W1A1",  "W0K0",  "W3K3",  "W0T0",   "W0T1", "W1T0",
                                  "W40K0", "W40K3", "W41K0", "W15T3", "W255K3", "W0N1", "W60N2"};
-    switch (random_.Below(14)) {
+    switch (random_.Below(15)) {
+      case 14: {  // what only the control's own statements write otherwise
+        const std::string value = ": " + std::to_string(random_.Below(2));
+        return random_.OneIn(3) ? "P" + std::to_string(random_.Pick(one_shots_)) + value
+               : random_.OneIn(3)
+                   ? "C" + std::to_string(random_.Pick(counters_)) + "R" + value
+                   : "T" + std::to_string(random_.Pick(timers_)) + random_.Pick(Texts{"I", "U", "D"}) + value;
+      }
       case 12:
       case 13:
         return random_.Pick(kParameters) + ": " +
