@@ -28,8 +28,10 @@ void Initialisers::Initialise(VariableId id) {
     return;
   }
   uint32_t filled = 0;
-  for (const InitialValue& initial : variable.initial) filled += TypeAt(initial.type).size;
-  if (filled < type.size) records_.Clear(objects_.OfVariable(id));
+  for (const InitialValue& initial : variable.initial) {
+    filled += initial.is_bit_field ? initial.bit_width : NamedBits(initial.type);
+  }
+  if (filled < NamedBits(variable.type)) records_.Clear(objects_.OfVariable(id));
   for (const InitialValue& initial : variable.initial) {
     Lvalue target;
     target.address.targets.Add(objects_.OfVariable(id));
@@ -67,6 +69,21 @@ void Initialisers::Initialise(VariableId id) {
     }
   }
   flow_.Forget(objects_.OfVariable(id));
+}
+
+uint32_t Initialisers::NamedBits(TypeId id) const {
+  const Type& type = TypeAt(id);
+  if (type.kind == TypeKind::kArray) return type.count * NamedBits(type.element);
+  if (type.kind != TypeKind::kRecord || unit_.records[type.record].is_union) return 8 * type.size;
+  uint32_t bits = 0;
+  for (const Member& member : unit_.records[type.record].members) {
+    if (!member.is_bit_field) {
+      bits += NamedBits(member.type);
+    } else if (!member.name.empty()) {
+      bits += member.bit_width;
+    }
+  }
+  return bits;
 }
 
 void Initialisers::Lower(const Statement& statement) {

@@ -30,6 +30,8 @@ class Initialisers : Context {
 
  private:
   void Initialise(VariableId id);
+  /// Those that an initialiser of the type can give: bit-fields share bytes, and some bits are of none.
+  uint32_t NamedBits(TypeId id) const;
 
   StatementWriter& writer_;
   Conversions& conversions_;
