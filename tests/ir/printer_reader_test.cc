@@ -39,7 +39,7 @@ text "START"
 statement s1f subject U4A8 opens
 statement s1f~2 subject "a b"
 statement s20 closes
-routine sub subroutine (n : i32 = slice) -> i32 slice~2 "twice" {
+routine sub subroutine (n : i32 = slice) -> i32 slice~2 file "of\nthe file\n\n" "twice\n\nand once" {
   %0 = load slice
   %1 = add.i32 %0 %0
   store slice~2 %1
@@ -124,6 +124,8 @@ TEST(Text, ReadMeansWhatItSays) {
   EXPECT_EQ(program.places[PlaceId(5)].name, "slice");
   EXPECT_EQ(program.statements[StatementId(1)].id, 0x1Fu);
   EXPECT_TRUE(program.statements[StatementId(0)].opens_block);
+  EXPECT_EQ(program.routines[RoutineId(0)].file_comment, "of\nthe file\n\n");
+  EXPECT_EQ(program.routines[RoutineId(0)].comment, "twice\n\nand once");
   EXPECT_EQ(program.routines[RoutineId(1)].slices, 4);
   EXPECT_EQ(program.loops[LoopId(0)].kind, LoopBound::kBudget);
   EXPECT_EQ(program.messages[0].text, "spindle \x01 stopped\n");

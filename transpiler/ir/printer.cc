@@ -278,6 +278,7 @@ std::string HeadOf(const Printer& printer, uint32_t index) {
   if (routine.slices != 1) head += " slices " + std::to_string(routine.slices);
   if (routine.simulation_only) head += " simulation_only";
   if (printer.routines[index] != text::Word(routine.name)) head += " named " + text::Word(routine.name);
+  if (!routine.file_comment.empty()) head += " file " + text::Quoted(routine.file_comment);
   if (!routine.comment.empty()) head += ' ' + text::Quoted(routine.comment);
   return head + " {\n";
 }

@@ -144,7 +144,8 @@ enum class RoutineKind : uint8_t { kInit, kFast, kSlow, kInterrupt, kSubroutine,
 struct Routine {
   std::string name;  // "init", "fast", "slow", "period"; a subroutine's name in the source
   RoutineKind kind = RoutineKind::kSubroutine;
-  std::string comment;
+  std::string comment;       // line by line
+  std::string file_comment;  // at the head of the file that begins with it; none in front of the others of that file
   std::vector<Parameter> parameters;  // places of lifetime kRoutine, see parameter_places
   std::vector<PlaceId> parameter_places;
   Type result = Type::kNone;

@@ -161,6 +161,7 @@ void ReadRoutine(Reader& reader) {
   if (reader.Accept("slices")) routine.slices = static_cast<uint8_t>(reader.Number());
   routine.simulation_only = reader.Accept("simulation_only");
   ReadNamed(reader, routine.name);
+  if (reader.Accept("file")) routine.file_comment = reader.Name();
   ReadText(reader, routine.comment);
   reader.Expect("{");
   reader.Declare(reader.routines, handle, reader.program.routines.Add(std::move(routine)), "routine");

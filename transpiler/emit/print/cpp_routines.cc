@@ -1,7 +1,6 @@
 // One .cpp file: what it includes and declares, chunks, routines.
 
 #include <algorithm>
-#include <string_view>
 
 #include "transpiler/emit/print/part_printer.h"
 #include "transpiler/ir/builder.h"
@@ -59,14 +58,11 @@ std::string PartPrinter::Linkage(ir::RoutineId id) const {
 void PartPrinter::Routine(ir::RoutineId id) {
   const ir::Routine& routine = program_.routines[id];
   const Locals& locals = emittable_.routine_locals[id.index];
-  std::string_view comment = routine.comment;
-  // What is in front of an empty line is about the file: a paragraph of its own.
-  if (const size_t end = comment.find("\n\n"); end != std::string_view::npos) {
-    CommentLines(comment.substr(0, end));
+  if (!routine.file_comment.empty()) {  // a paragraph of its own
+    CommentLines(routine.file_comment);
     BlankLine();
-    comment.remove_prefix(end);
   }
-  CommentLines(comment);
+  CommentLines(routine.comment);
   OpenFunction(Linkage(id) + std::string(ir::CppName(routine.result)) + " " + emittable_.routine_names[id.index],
                locals, PiecesOf(emittable_, id));
   if (routine.result_place.valid()) return_ = "return " + emittable_.place_names[routine.result_place.index] + ";";

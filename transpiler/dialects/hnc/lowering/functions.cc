@@ -30,9 +30,8 @@ std::string Functions::LinesOf(const std::vector<const Comment*>& comments) cons
   return text;
 }
 
-/// The comments above a function and in its head, line by line; in front of the first one of its file, and of an empty
-/// line, those at the head of the file.
-std::string Functions::CommentOf(const Function& function) {
+/// The comments above a function and in its head; with the first one of its file those at the head of the file.
+void Functions::AddComments(const Function& function, ir::Routine& routine) {
   std::vector<const Comment*> comments = CommentsBefore(unit_, sources_, function.head.begin);
   std::vector<const Comment*> of_file;
   const source::FileId file = sources_.FileAt(function.head.begin);
@@ -40,10 +39,9 @@ std::string Functions::CommentOf(const Function& function) {
   if (!comments.empty()) std::erase_if(of_file, [&](const Comment* head) { return head >= comments.front(); });
   const source::Range head = {function.head.begin, unit_.statements[function.body].range.begin};
   std::ranges::copy(CommentsIn(unit_, head), std::back_inserter(comments));
-  std::string text = LinesOf(of_file);
-  if (!text.empty()) text += "\n\n";
-  const std::string own = LinesOf(comments);
-  return text + (own.empty() ? function.name + "()" : own);
+  routine.file_comment = LinesOf(of_file);
+  routine.comment = LinesOf(comments);
+  if (routine.comment.empty()) routine.comment = function.name + "()";
 }
 
 void Functions::AddRoutines() {
@@ -54,9 +52,10 @@ void Functions::AddRoutines() {
     const Function& function = unit_.functions[id];
     const bool is_init = id == unit_.init;
     placement_.routines[id.index] =
-        builder_.AddRoutine(is_init ? "plc_init" : function.name, ir::RoutineKind::kSubroutine, CommentOf(function));
+        builder_.AddRoutine(is_init ? "plc_init" : function.name, ir::RoutineKind::kSubroutine, "");
     locals_.Begin(function.name + "_locals");
     ir::Routine& routine = program_.routines[placement_.routines[id.index]];
+    AddComments(function, routine);
     const auto parameter = [&](std::string name, ir::Type type) {
       const ir::PlaceId place = locals_.Add(name, type);
       routine.parameters.push_back({.name = std::move(name), .type = type, .enumerators = {}});

@@ -57,7 +57,7 @@ class Functions : Context {
   /// Whether the routine of the function is made.
   bool IsIncluded(FunctionId id) const { return scope_ == Scope::kAll || facts_.PartsOf(id) != 0; }
   std::string LinesOf(const std::vector<const Comment*>& comments) const;
-  std::string CommentOf(const Function& function);
+  void AddComments(const Function& function, ir::Routine& routine);
   void BeginLocals(const Function& function);
 
   Scope scope_;
