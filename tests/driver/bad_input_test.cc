@@ -1,6 +1,7 @@
 // Files that are no program: a clear error each, nothing written, no crash, no hang, memory bounded.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -48,6 +49,27 @@ TEST(BadInput, MissingOrDirectory) {
   ExpectRefused(work, "missing", "cannot read");
   ExpectRefused(work, "folder.plc", "directory");
   ExpectRefused(work, ".", "directory");
+}
+
+// To open a pipe may last for ever, and a device may have no end.
+TEST(BadInput, WhatIsNoFile) {
+  const Workplace work;
+  ASSERT_EQ(mkfifo(work.Path("pipe.plc").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo(work.Path("pipe.yaml").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo(work.Path("pipe").c_str(), 0600), 0);
+  work.Write("main.plc", kGoodProgram);
+  ExpectRefused(work, "pipe.plc", "cannot read source 'pipe.plc': it is no file, but a pipe");
+  ExpectRefused(work, "/dev/zero --dialect nc110", "cannot read source '/dev/zero': it is no file, but a device");
+  ExpectRefused(work, "main.plc --set messages=pipe", "it is no file, but a pipe");
+  for (const std::string command :
+       {"prove main.plc --property pipe", "prove main.plc --property /dev/zero", "test pipe.yaml",
+        "check --project pipe.yaml", "sim main.plc --for 1s --plant pipe.yaml", "why U4A0 main.plc --vcd pipe",
+        "why U4A0 main.plc --scenario pipe.yaml", "verify main.plc --object pipe", "identify pipe",
+        "check main.plc --baseline pipe"}) {
+    const Ran ran = work.Run(command);
+    EXPECT_EQ(ran.code, 2) << command << "\n" << ran;
+    EXPECT_THAT(ran.errors, ::testing::ContainsRegex("but a (pipe|device)")) << command;
+  }
 }
 
 // The remedy is that of the cause, in the words of every dialect.

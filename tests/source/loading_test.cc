@@ -80,7 +80,15 @@ TEST_F(Loading, AHugeFileIsRefusedUnread) {
 }
 
 TEST_F(Loading, AFileWithoutSizeIsReadUpToTheLimit) {
-  EXPECT_EQ(Refused(sources_.Load("/dev/zero", {.max_bytes = 1000})).problem, LoadProblem::kTooLarge);
+  EXPECT_EQ(Refused(sources_.Load("/proc/version", {.max_bytes = 10})).problem, LoadProblem::kTooLarge);
+}
+
+// To open a pipe may last for ever, and a device may have no end.
+TEST_F(Loading, WhatIsNoFileIsRefusedUnopened) {
+  const LoadError error = Refused(sources_.Load("/dev/zero", {}));
+  EXPECT_EQ(error.problem, LoadProblem::kNoFile);
+  EXPECT_EQ(error.detail, "it is no file, but a device");
+  EXPECT_EQ(Refused(sources_.Load("/dev/null", {})).problem, LoadProblem::kNoFile);
 }
 
 TEST_F(Loading, ExactlyAtTheLimit) {
@@ -90,10 +98,7 @@ TEST_F(Loading, ExactlyAtTheLimit) {
   EXPECT_EQ(Error("12345", {.max_bytes = 4}).problem, LoadProblem::kTooLarge);
 }
 
-TEST_F(Loading, AnEmptyFile) {
-  EXPECT_EQ(Refused(sources_.Load(Write("a.plc", ""), {})).problem, LoadProblem::kEmpty);
-  EXPECT_EQ(Refused(sources_.Load("/dev/null", {})).problem, LoadProblem::kEmpty);
-}
+TEST_F(Loading, AnEmptyFile) { EXPECT_EQ(Refused(sources_.Load(Write("a.plc", ""), {})).problem, LoadProblem::kEmpty); }
 
 TEST_F(Loading, NulBytesAreNoText) {
   const LoadError error = Error(std::string_view("a\nb\r\nc\0d", 8));
@@ -111,8 +116,8 @@ TEST_F(Loading, Utf16IsNamed) {
 TEST_F(Loading, EachCauseHasItsRemedy) {
   std::set<std::string_view> remedies;
   for (const LoadProblem problem :
-       {LoadProblem::kMissing, LoadProblem::kDirectory, LoadProblem::kUnreadable, LoadProblem::kTooLarge,
-        LoadProblem::kBinary, LoadProblem::kUtf16, LoadProblem::kCutOff, LoadProblem::kEmpty})
+       {LoadProblem::kMissing, LoadProblem::kDirectory, LoadProblem::kNoFile, LoadProblem::kUnreadable,
+        LoadProblem::kTooLarge, LoadProblem::kBinary, LoadProblem::kUtf16, LoadProblem::kCutOff, LoadProblem::kEmpty})
     EXPECT_TRUE(remedies.insert(RemedyOf(problem)).second) << RemedyOf(problem);
   EXPECT_FALSE(remedies.contains(""));
   EXPECT_EQ(RemedyOf(LoadProblem::kLineTooLong), RemedyOf(LoadProblem::kTooLarge));

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "transpiler/compilation/dialect_choice.h"
@@ -15,6 +14,7 @@
 #include "transpiler/source/find_file.h"
 #include "transpiler/source/unsaved.h"
 #include "transpiler/support/fault_guard.h"
+#include "transpiler/support/read_file.h"
 
 namespace plcxx::lsp {
 
@@ -35,10 +35,10 @@ bool IsMachineFile(const WorkspaceProgram& program, std::string_view identity) {
 FileText Workspace::TextOf(const std::string& path) const {
   if (path.empty()) return {};
   if (const Document* open = documents_.Find(source::FileIdentity(path)); open != nullptr) return {path, open->text};
-  std::ifstream file(path, std::ios::binary);
+  std::optional<std::string> text = support::ReadFile(path);
   // That a file which plcxx.yaml names is not there is said in plcxx.yaml.
-  if (!file) return {};
-  return {path, std::string(std::istreambuf_iterator<char>(file), {})};
+  if (!text) return {};
+  return {path, *std::move(text)};
 }
 
 void Workspace::CheckMachine(WorkspaceProgram& program) const {

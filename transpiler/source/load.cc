@@ -66,6 +66,8 @@ std::string_view RemedyOf(LoadProblem problem) {
     case LoadProblem::kMissing:
       return "check its name, upper and lower case too, and the folder that the name starts from";
     case LoadProblem::kDirectory:
+    case LoadProblem::kNoFile:
+      return "write it into a file, and name that; for a source, '-' is standard input";
       return "name the files in it; 'plcxx init' makes a project of a folder of files";
     case LoadProblem::kUnreadable:
       return "check the path and the rights";

@@ -22,6 +22,11 @@ LoadError FromErrno(int error) {
   return {LoadProblem::kUnreadable, support::SystemWords(error)};
 }
 
+std::string KindOf(mode_t mode) {
+  if (S_ISFIFO(mode)) return "a pipe";
+  return S_ISSOCK(mode) ? "a socket" : "a device";
+}
+
 /// Reads to the end; one byte above the limit is enough to know that it is exceeded.
 template <class ReadPiece>
 std::variant<std::string, LoadError> ReadBounded(size_t expected, size_t max_bytes, ReadPiece read_piece) {
@@ -58,6 +63,8 @@ std::variant<std::string, LoadError> ReadBytes(const std::string& path, size_t m
     return error;
   }
   if (S_ISDIR(status.st_mode)) return LoadError{LoadProblem::kDirectory, "it is a directory"};
+  // To open a pipe may last for ever, and a device may have no end.
+  if (!S_ISREG(status.st_mode)) return LoadError{LoadProblem::kNoFile, "it is no file, but " + KindOf(status.st_mode)};
   const size_t size = status.st_size > 0 ? static_cast<size_t>(status.st_size) : 0;
   if (size > max_bytes) return TooLarge(max_bytes);
 

@@ -8,7 +8,7 @@
 
 namespace plcxx::source {
 
-/// A file above `max_bytes` is refused by its size, before it is opened; what has no size (a pipe) by what arrives.
+/// A file above `max_bytes` is refused by its size, before it is opened; what is no file (a pipe, a device) unopened.
 std::variant<std::string, LoadError> ReadBytes(const std::string& path, size_t max_bytes);
 std::variant<std::string, LoadError> ReadStandardInput(size_t max_bytes);
 

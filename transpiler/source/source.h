@@ -90,6 +90,7 @@ struct LoadOptions {
 enum class LoadProblem : uint8_t {
   kMissing,
   kDirectory,
+  kNoFile,
   kUnreadable,
   kTooLarge,
   kLineTooLong,
