@@ -74,6 +74,22 @@ TEST_F(BaselineCommand, WithoutAProject) {
   EXPECT_THAT(work_.Run("check p.plc --baseline b.txt --diagnostics=json").out, Not(HasSubstr("W356")));
 }
 
+// As an editor saves it that marks UTF-8.
+TEST_F(BaselineCommand, AByteOrderMarkIsNoneOfItsText) {
+  EXPECT_EQ(work_.Run("check --write-baseline").code, 0);
+  for (const char* const file : {"accepted.txt", "plcxx.yaml", "p.plc"})
+    work_.Write(file, "\xEF\xBB\xBF" + work_.Read(file));
+  const Ran quiet = work_.Run("check");
+  EXPECT_EQ(quiet.code, 0) << quiet;
+  EXPECT_THAT(quiet.errors, HasSubstr("2 accepted warnings"));
+  work_.Write("p.prop", "\xEF\xBB\xBFnever U4A0 and not U4A0\n");
+  EXPECT_EQ(work_.Run("prove p.plc --property p.prop").code, 0);
+  work_.Write("p.yaml", "\xEF\xBB\xBFproperties: [never U4A0 and not U4A0, never NONE]\nsources: [p.plc]\n");
+  EXPECT_THAT(work_.Run("prove p.yaml").errors, HasSubstr("p.yaml:1:"));
+  work_.Write("p.vcd", "\xEF\xBB\xBF$timescale 1ms $end\n$var wire 1 ! I0A0 $end\n$enddefinitions $end\n#0\n1!\n#40\n");
+  EXPECT_EQ(work_.Run("why U4A0 p.plc --vcd p.vcd").code, 0);
+}
+
 TEST_F(BaselineCommand, AWrongFileIsSaid) {
   work_.Write("accepted.txt", "# heading\nnc110-W356 1 p.plc U4A0\n");
   const Ran wrong = work_.Run("check");

@@ -8,6 +8,7 @@
 #include "transpiler/driver/named_file.h"
 #include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/support/byte_order_mark.h"
 
 namespace plcxx::driver {
 namespace {
@@ -62,8 +63,9 @@ int ReadProperties(const ChosenProperties& chosen, const CommonOptions& options,
                                         compilation.diagnostics));
   }
   for (const std::string& path : chosen.files) {
-    const std::optional<std::string> text = ReadNamedFile(path, "--property names a file of properties, one a line");
+    std::optional<std::string> text = ReadNamedFile(path, "--property names a file of properties, one a line");
     if (!text) return kWrongUse;
+    support::RemoveByteOrderMark(*text);
     add(scenarios::PropertiesOfFile(path, *text, dialect.name, context, *compilation.sources, compilation.diagnostics));
   }
   if (compilation.ok()) return kDone;

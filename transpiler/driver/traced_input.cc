@@ -7,6 +7,7 @@
 #include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/named_file.h"
 #include "transpiler/driver/terminal.h"
+#include "transpiler/support/byte_order_mark.h"
 #include "transpiler/support/listed.h"
 
 namespace plcxx::driver {
@@ -17,8 +18,9 @@ constexpr size_t kMaxNamed = 10;
 }  // namespace
 
 std::optional<sim::Vcd> ReadWaveform(const std::string& path) {
-  const std::optional<std::string> text = ReadNamedFile(path, "--vcd names a recorded trace");
+  std::optional<std::string> text = ReadNamedFile(path, "--vcd names a recorded trace");
   if (!text) return std::nullopt;
+  support::RemoveByteOrderMark(*text);
   std::variant<sim::Vcd, sim::VcdError> read = sim::ReadVcd(*text);
   if (const auto* error = std::get_if<sim::VcdError>(&read)) {
     std::cerr << diag::Escaped(path) << ":" << error->line << ": error: " << diag::Escaped(error->message) << "\n";

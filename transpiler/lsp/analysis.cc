@@ -10,11 +10,10 @@
 #include "transpiler/source/find_file.h"
 #include "transpiler/source/read_bytes.h"
 #include "transpiler/source/unsaved.h"
+#include "transpiler/support/byte_order_mark.h"
 
 namespace plcxx::lsp {
 namespace {
-
-constexpr std::string_view kBom = "\xEF\xBB\xBF";
 
 const dialects::Dialect* DialectOf(const compilation::CompilationRequest& request, const Documents& documents) {
   std::vector<std::string> paths;
@@ -40,7 +39,7 @@ std::string SavedBytes(const Document& document, const source::LoadOptions& opti
   if (id == nullptr) return document.text;
   const source::File& file = scratch.Get(*id);
   std::string saved = source::Encoded(document.text, file.encoding);
-  if (file.had_bom && !saved.starts_with(kBom)) saved.insert(0, kBom);
+  if (file.had_bom && !saved.starts_with(support::kByteOrderMark)) saved.insert(0, support::kByteOrderMark);
   return saved;
 }
 

@@ -8,11 +8,10 @@
 #include "transpiler/source/line_starts.h"
 #include "transpiler/source/read_bytes.h"
 #include "transpiler/source/source.h"
+#include "transpiler/support/byte_order_mark.h"
 
 namespace plcxx::source {
 namespace {
-
-constexpr std::string_view kBom = "\xEF\xBB\xBF";
 
 std::string_view UpToEndMark(std::string_view bytes, const LoadOptions& options) {
   return bytes.substr(0, bytes.find_first_of(options.end_marks));
@@ -66,9 +65,9 @@ std::string_view RemedyOf(LoadProblem problem) {
     case LoadProblem::kMissing:
       return "check its name, upper and lower case too, and the folder that the name starts from";
     case LoadProblem::kDirectory:
+      return "name the files in it; 'plcxx init' makes a project of a folder of files";
     case LoadProblem::kNoFile:
       return "write it into a file, and name that; for a source, '-' is standard input";
-      return "name the files in it; 'plcxx init' makes a project of a folder of files";
     case LoadProblem::kUnreadable:
       return "check the path and the rights";
     case LoadProblem::kTooLarge:
@@ -107,8 +106,8 @@ std::variant<FileId, LoadError> SourceManager::AddOwnedBytes(std::string path, s
 
   File file;
   file.path = std::move(path);
-  file.had_bom = bytes.starts_with(kBom);
-  if (file.had_bom) bytes.erase(0, kBom.size());
+  file.had_bom = bytes.starts_with(support::kByteOrderMark);
+  support::RemoveByteOrderMark(bytes);
   std::vector<uint32_t> starts = FindLineStarts(bytes, options.line_ends);
   if (auto error = FindLongLine(bytes, starts, options.max_line_bytes)) return std::move(*error);
 

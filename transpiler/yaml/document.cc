@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "transpiler/source/near_file.h"
+#include "transpiler/support/byte_order_mark.h"
 #include "transpiler/support/read_file.h"
 
 namespace plcxx::yaml {
@@ -161,6 +162,7 @@ std::variant<std::string, Fault> ReadText(const std::string& path, size_t most, 
   }
   std::optional<std::string> text = support::ReadFile(path);
   if (!text) return Fault{{}, "the file cannot be read"};
+  support::RemoveByteOrderMark(*text);
   return *std::move(text);
 }
 
