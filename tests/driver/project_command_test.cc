@@ -106,6 +106,15 @@ TEST_F(ProjectCommand, SaysWhatIsWrong) {
                                   HasSubstr("help: did you mean 'sources'")))
         << command;
   }
+  // A warning in the place of what is done with it.
+  for (const std::string value : {"off", "on", "\"off\"", "false", "error"}) {
+    work_.Write("plcxx.yaml", "sources: lathe.plc\nwarnings: {W350: " + value + "}\n");
+    EXPECT_THAT(work_.Run("check").errors,
+                AllOf(HasSubstr("plcxx.yaml:2:12: 'W350' is a warning, and no key of 'warnings'; there are: enable, "),
+                      HasSubstr("help: 'disable: [W350]' turns it off, 'enable: [W350]' on")));
+  }
+  work_.Write("plcxx.yaml", "sources: lathe.plc\nwarnings: {W9999: off}\n");
+  EXPECT_THAT(work_.Run("check").errors, HasSubstr("'W9999' is no key of 'warnings'"));
   std::filesystem::remove(work_.Path("plcxx.yaml"));
   const Ran none = work_.Run("check");
   EXPECT_EQ(none.code, 2);

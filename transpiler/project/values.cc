@@ -45,9 +45,7 @@ class KeyReader {
     for (const yaml::Entry& entry : reader_.Map(node, NameOf(section))) {
       const KeyRow* row = FindKey(section, entry.key.text);
       if (row == nullptr) {
-        std::vector<std::string_view> known;
-        for (const KeyRow* one : KeysOf(section)) known.push_back(one->text);
-        reader_.RefuseKey(entry.key, NameOf(section), known);
+        RefuseKey(entry.key, section);
         continue;
       }
       keys.push_back({entry.key, row, ReadValue(entry.value, *row)});
@@ -56,6 +54,20 @@ class KeyReader {
   }
 
  private:
+  void RefuseKey(const yaml::MarkedText& key, Section section) {
+    std::vector<std::string_view> known;
+    for (const KeyRow* one : KeysOf(section)) known.push_back(one->text);
+    std::vector<std::string> unknown;
+    compilation::ReadWarningOptions({key.text}, unknown);
+    if (section != Section::kWarnings || !unknown.empty()) return reader_.RefuseKey(key, NameOf(section), known);
+    // "warnings: {W350: off}"
+    reader_.Fail(
+        key.mark,
+        Quoted(key.text) + " is a warning, and no key of 'warnings'; there are: " + support::CommaSeparated(known),
+        "'disable: [" + key.text + "]' turns it off, 'enable: [" + key.text + "]' on, 'errors: [" + key.text +
+            "]' makes an error of it");
+  }
+
   Value ReadValue(const YAML::Node& node, const KeyRow& row) {
     Value value{yaml::Reader::Mark(node), {}, {}};
     const std::string what = Quoted(row.text);
