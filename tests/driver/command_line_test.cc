@@ -128,8 +128,22 @@ TEST(CommandLine, ProgramWithErrorsIsOne) {
 TEST(CommandLine, OutputThatCannotBeWrittenIsNotDone) {
   const Workplace work;
   work.Write("ok.plc", kGoodProgram);
-  EXPECT_EQ(work.Run("print cpp ok.plc >/dev/full 2>/dev/null; test $? = 1").code, 0);
-  EXPECT_EQ(work.Run("--help >/dev/full 2>/dev/null; test $? = 1").code, 0);
+  EXPECT_EQ(work.Run("print cpp ok.plc >/dev/full 2>/dev/null; test $? = 2").code, 0);
+  EXPECT_EQ(work.Run("--help >/dev/full 2>/dev/null; test $? = 2").code, 0);
+  // One code, whatever the result is, and whatever else was found.
+  work.Write("bad.yaml", "sources: [ok.plc]\nsteps:\n- run: {slow: 1}\n- expect: {U4A0: 1}\n");
+  work.Write("ok.prop", "never I0A0\n");
+  for (const std::string command :
+       {"emit ok.plc -o /dev/full/out", "emit ok.plc --single-file -o ok.plc/x.hpp",
+        "report ok.plc -o /proc/none/x.html", "report ok.plc --lists -o ok.plc/x.txt",
+        "test bad.yaml --engine sim --junit /dev/full", "sim ok.plc --for 20ms --watch U4A0 --vcd /dev/full",
+        "prove ok.plc --property ok.prop --junit /dev/full", "build ok.plc --target host -o ok.plc/out",
+        "check ok.plc --write-baseline --baseline ok.plc/b", "manual -o ok.plc/man",
+        "verify ok.plc --certificate /dev/full"}) {
+    const Ran ran = work.Run(command);
+    EXPECT_EQ(ran.code, 2) << command << "\n" << ran;
+    EXPECT_THAT(ran.errors, HasSubstr("cannot write '")) << command;
+  }
 }
 
 // A name that is mistyped, or lacks its extension, has the right one beside it.

@@ -100,7 +100,7 @@ TEST(EmitFiles, WholeOrNotAtAll) {
   work.Write("out/main.hpp", "old");
   fs::create_directory(work.Path("out/main.map.json"));  // in the way
   const Ran ran = work.Run("emit main.plc -o out");
-  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_EQ(ran.code, 2) << ran;
   EXPECT_THAT(ran.errors, HasSubstr("cannot write 'out/main.map.json'"));
   EXPECT_THAT(ran.errors, HasSubstr("nc110-60"));
   EXPECT_EQ(work.Read("out/main.hpp"), "old");
@@ -113,12 +113,12 @@ TEST(EmitFiles, ADirectoryThatCannotBeMade) {
   work.Write("taken", "");
   for (const std::string directory : {"taken", "taken/x", "main.plc/", "main.plc/x"}) {
     const Ran ran = work.Run("emit main.plc --name m -o " + directory);
-    EXPECT_EQ(ran.code, 1) << ran;
+    EXPECT_EQ(ran.code, 2) << ran;
     EXPECT_THAT(ran.errors, HasSubstr("cannot write"));
   }
   // The directories made on the way are gone again.
   const Ran ran = work.Run("emit main.plc -o new/deep --depfile main.plc/main.d");
-  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_EQ(ran.code, 2) << ran;
   EXPECT_FALSE(work.Has("new"));
 }
 
@@ -126,7 +126,7 @@ TEST(EmitFiles, ASourceIsNeverOverwritten) {
   const Workplace work;
   work.Write("main.cpp", kGoodProgram);
   const Ran ran = work.Run("emit main.cpp --dialect nc110");
-  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_EQ(ran.code, 2) << ran;
   EXPECT_THAT(ran.errors, HasSubstr("source of this program"));
   EXPECT_EQ(work.Read("main.cpp"), kGoodProgram);
 }

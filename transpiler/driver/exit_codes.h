@@ -8,7 +8,7 @@ namespace plcxx::driver {
 enum ExitCode : int {
   kDone = 0,
   kProgramHasErrors = 1,  // or a scenario failed, or a difference was found
-  kWrongUse = 2,
+  kWrongUse = 2,          // or a result cannot be written
   kInternalFault = support::kInternalFaultExit
 };
 

@@ -42,12 +42,12 @@ int InternalFault(const char* what) {
   return kInternalFault;
 }
 
-/// The exit code when everything has been written; what cannot be written is the world's fault, not wrong use.
+/// The exit code when everything has been written: standard output is a result like any file.
 int Written(int code) {
   std::cout.flush();
   if (std::cout.good()) return code;
   PrintUsageError("cannot write to standard output");
-  return code == kDone ? static_cast<int>(kProgramHasErrors) : code;
+  return std::max<int>(code, kWrongUse);
 }
 
 int Main(int argc, char** argv) {

@@ -85,6 +85,7 @@ void ReportCannotWrite(const WriteFailure& failure, compilation::Compilation& co
     if (row.dialect == compilation.dialect->name) message = row.message;
   }
   compilation.diagnostics.Report({}, *message, failure.path, failure.reason, failure.remedy);
+  compilation.wrong_use = true;  // no fault of the program
 }
 
 }  // namespace plcxx::driver
