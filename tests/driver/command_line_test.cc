@@ -188,6 +188,12 @@ TEST(CommandLine, WordsThatAreNoCommand) {
     EXPECT_EQ(empty.code, 2) << empty;
     EXPECT_THAT(empty.errors, HasSubstr("'" + option + "' is given an empty value")) << empty;
   }
+  for (const std::string command : {"check", "emit", "test", "sim", "prove", "print ir", "why", "mutate", "identify",
+                                    "explain", "init", "manual", "diff x.plc", "live"}) {
+    const Ran empty = work.Run(command + " ''");
+    EXPECT_EQ(empty.code, 2) << command << "\n" << empty;
+    EXPECT_THAT(empty.errors, HasSubstr("' is given an empty word: write one, or leave it out\n")) << command;
+  }
   EXPECT_THAT(work.Run("emt x.plc").errors, HasSubstr("unknown command 'emt'; did you mean 'emit'?"));
   EXPECT_EQ(work.Run("emt x.plc").code, 2);
   EXPECT_THAT(work.Run("frobnicate").errors, AllOf(HasSubstr("unknown command 'frobnicate'"), Not(HasSubstr("mean"))));

@@ -98,13 +98,16 @@ std::string UsageProblem(const CLI::ParseError& error) {
   return text;
 }
 
-std::string OptionWithoutValue(const CLI::App& app) {
+std::string EmptyValue(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands()) {
     for (const CLI::Option* option : command->get_options()) {
       const std::vector<std::string>& values = option->results();
       const bool is_text = option->get_type_name() == "TEXT";  // words that are looked for: none are any
-      if (option->get_positional() || is_text || std::ranges::find(values, std::string()) == values.end()) continue;
-      return option->get_name();
+      if ((is_text && !option->get_positional()) || std::ranges::find(values, std::string()) == values.end()) continue;
+      const bool is_argument = option->get_positional();
+      return "'" + option->get_name(is_argument) +
+             (is_argument ? "' is given an empty word: write one, or leave it out"
+                          : "' is given an empty value: write one behind it, or leave it out");
     }
   }
   return {};

@@ -21,8 +21,8 @@ std::string DidYouMeanOption(const CLI::App& app, const CLI::App& command, const
 /// What the parser of the command line says is wrong, as our messages are written.
 std::string UsageProblem(const CLI::ParseError& error);
 
-/// The first option of the chosen command whose value is an empty text, as an empty variable of a shell leaves it: what
-/// it asks for would be left undone, and nothing would say so. Empty: there is none.
-std::string OptionWithoutValue(const CLI::App& app);
+/// What is wrong with the first option or argument of the chosen command whose value is an empty text, as an empty
+/// variable of a shell leaves it: what it asks for would be left undone, and nothing would say so. Empty: nothing is.
+std::string EmptyValue(const CLI::App& app);
 
 }  // namespace plcxx::driver

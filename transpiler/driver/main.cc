@@ -102,9 +102,7 @@ int Main(int argc, char** argv) {
               << "--help tells how it is used\n";
     return kWrongUse;
   }
-  if (const std::string option = OptionWithoutValue(app); !option.empty()) {
-    return UsageError("'" + option + "' is given an empty value: write one behind it, or leave it out");
-  }
+  if (const std::string problem = EmptyValue(app); !problem.empty()) return UsageError(problem);
   return Written(run());
 }
 
