@@ -58,7 +58,7 @@ TEST(WriteAll, EachFailureHasARemedyOfItsOwn) {
   std::filesystem::create_directory(folder);
   std::ofstream(file) << "text";
   const auto remedy = [](const std::string& path, std::vector<std::string> sources = {}) {
-    const auto failure = WriteAll({"", {{path, "other"}}, std::move(sources)});
+    const auto failure = WriteAll({"", {{path, "other"}}, std::move(sources), {path}});
     return failure ? failure->reason + ": " + failure->remedy : "";
   };
   EXPECT_EQ(remedy(folder), "it is a directory: choose another name for the file, or move the directory away");
@@ -102,7 +102,7 @@ TEST(WriteAll, WritesThroughLinks) {
   const std::string file = directory.File("file"), link = directory.File("link");
   ASSERT_FALSE(WriteAll({"", {{file, "old"}}, {}}).has_value());
   std::filesystem::create_symlink(file, link);
-  ASSERT_FALSE(WriteAll({"", {{link, "new"}}, {}}).has_value());
+  ASSERT_FALSE(WriteAll({"", {{link, "new"}}, {}, {link}}).has_value());
   EXPECT_TRUE(std::filesystem::is_symlink(link));
   EXPECT_EQ(TextOf(file), "new");
 }

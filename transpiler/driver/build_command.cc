@@ -248,6 +248,7 @@ class Build {
     output.files = std::move(files_);
     for (emit::OutputFile& file : output.files) file.name = PathIn(settings_.output.directory, file.name);
     output.protected_paths = PathsRead(compilation_, settings_.common);
+    output.named = {settings_.output.dependency_file};
     if (!settings_.output.dependency_file.empty()) AddDependencyFile(output);
     progress_.Show("writing");
     if (const auto failure = WriteAll(output)) ReportCannotWrite(*failure, compilation_);

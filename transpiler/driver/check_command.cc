@@ -51,6 +51,7 @@ int WriteBaseline(const CommonOptions& options, const compilation::CompilationRe
   OutputRequest output;
   output.files = {{path, project::BaselineText(compilation, request.base_directory)}};
   output.protected_paths = PathsRead(compilation, options);
+  if (!named.empty()) output.named = {named};
   if (const auto failure = WriteAll(output)) {
     return CannotWrite(*failure);
   }

@@ -14,6 +14,7 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/one_of.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/own_files.h"
 #include "transpiler/driver/project_choice.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
@@ -86,10 +87,8 @@ int WriteScenarios(const review::diff::Diff& diff, const std::string& directory)
   std::set<std::string> names;
   for (const review::diff::DiffItem& item : diff.items) {
     if (!item.counterexample || item.counterexample->scenario.empty()) continue;
-    std::string name = FileNameOf(item.name);
-    for (int number = 2; !names.insert(name).second; ++number)
-      name = FileNameOf(item.name) + "_" + std::to_string(number);
-    output.files.push_back({PathIn(directory, name + ".yaml"), item.counterexample->scenario});
+    const std::string name = FreeName(directory, FileNameOf(item.name), kDifferenceHead, names);
+    output.files.push_back({PathIn(directory, name), item.counterexample->scenario});
   }
   const std::optional<WriteFailure> failure = WriteAll(output);
   if (!failure) return kDone;

@@ -63,6 +63,7 @@ OutputRequest OnlyFile(const EmitSettings& settings, OutputRequest output,
                        const compilation::Compilation& compilation) {
   output.directory = std::filesystem::path(settings.output.directory).parent_path().string();
   output.files.front().name = settings.output.directory;
+  output.named = {settings.output.directory, settings.output.dependency_file};
   output.protected_paths = PathsRead(compilation, settings.common);
   if (!settings.output.dependency_file.empty()) {
     output.files.push_back(
@@ -114,6 +115,7 @@ OutputRequest MakeOutput(const EmitSettings& settings, compilation::Compilation&
   for (emit::OutputFile& file : output.files) file.name = PathIn(settings.output.directory, file.name);
 
   output.protected_paths = PathsRead(compilation, settings.common);
+  output.named = {settings.output.dependency_file};
   if (!settings.output.dependency_file.empty()) {
     std::vector<std::string> targets;
     for (const emit::OutputFile& file : output.files) targets.push_back(file.name);

@@ -216,8 +216,10 @@ int LinkSession::Follow() {
 
 int LinkSession::Save() {
   if (words_.waveform.empty() || !trace_) return kDone;
-  const OutputRequest output{
-      {}, {{words_.waveform, sim::WriteVcd(*trace_, compilation_.name)}}, PathsRead(compilation_, {})};
+  const OutputRequest output{{},
+                             {{words_.waveform, sim::WriteVcd(*trace_, compilation_.name)}},
+                             PathsRead(compilation_, {}),
+                             {words_.waveform}};
   if (const auto failure = WriteWithFolders(output)) return CannotWrite(*failure);
   return kDone;
 }

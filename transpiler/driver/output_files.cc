@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "transpiler/compile/end_signals.h"
+#include "transpiler/driver/own_files.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/support/file_names.h"
 #include "transpiler/support/system_words.h"
@@ -188,6 +189,11 @@ std::optional<WriteFailure> Transaction::CheckTarget(const emit::OutputFile& fil
   for (const std::string& read : request_.protected_paths) {
     if (fs::equivalent(path, read, error))
       return WriteFailure{path, "it is a source of this program", "write to another folder, or under another name"};
+  }
+  if (std::ranges::find(request_.named, path) == request_.named.end() && IsForeign(path, file.text) &&
+      !HasBytes(path, file.text)) {
+    return WriteFailure{path, "it is there already, and plcxx did not write it",
+                        "move it away, or write to another folder or under another name"};
   }
   const auto before = Outputs().of.find(WholePath(path));
   if (before != Outputs().of.end() && before->second != Outputs().program && !HasBytes(path, file.text)) {

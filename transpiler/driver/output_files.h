@@ -24,6 +24,9 @@ struct OutputRequest {
   std::string directory;                     // created when missing; empty: the current one
   std::vector<emit::OutputFile> files;       // each with its whole path for a name
   std::vector<std::string> protected_paths;  // files that were read: never overwritten
+  /// Of the files those that the command line names: an order to overwrite what is there. Under another name a file
+  /// that is not of plcxx's own stays.
+  std::vector<std::string> named = {};
 };
 
 /// While it lives, WriteAll writes for one of several programs: what another one has written in this run is not

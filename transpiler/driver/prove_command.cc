@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/one_of.h"
 #include "transpiler/driver/output_files.h"
+#include "transpiler/driver/own_files.h"
 #include "transpiler/driver/plant_choice.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
@@ -174,8 +176,10 @@ class Prove {
 
  private:
   review::properties::ScenarioPlace PlaceOfNext() const {
-    return {.directory = FolderOf(settings_.common, settings_.counterexamples),
-            .name = "property-" + std::to_string(proved_.size() + 1) + ".yaml",
+    const std::string folder = FolderOf(settings_.common, settings_.counterexamples);
+    std::set<std::string> names;  // those of this run have their numbers
+    return {.directory = folder,
+            .name = FreeName(folder, "property-" + std::to_string(proved_.size() + 1), kViolationHead, names),
             .plant = plant_.get()};
   }
 
@@ -267,7 +271,8 @@ int RunProveOf(ProveSettings settings) {
   if (!settings.report || settings.report->protected_paths.empty()) return code;
   const auto failure = WriteWithFolders({.directory = {},
                                          .files = {{settings.junit, JunitXml(settings.report->cases)}},
-                                         .protected_paths = settings.report->protected_paths});
+                                         .protected_paths = settings.report->protected_paths,
+                                         .named = {settings.junit}});
   return failure ? std::max(code, CannotWrite(*failure)) : code;
 }
 

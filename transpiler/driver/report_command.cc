@@ -254,6 +254,7 @@ int WritePage(const ReportOptions& options, const compilation::CompilationReques
       text = options.ladder ? report::LadderPicture(input) : report::Page(input);
     } else if (kind == OutputKind::kFile) {
       output.directory = std::filesystem::path(options.output.directory).parent_path().string();
+      output.named = {options.output.directory};
       output.files.push_back(
           {options.output.directory, options.ladder ? report::LadderPicture(input) : report::Page(input)});
     } else if (options.ladder) {
@@ -289,7 +290,7 @@ int WriteText(const ReportOptions& options, const compilation::Compilation& comp
     std::cout << text;
     return kDone;
   }
-  if (const auto failure = WriteAll({{}, {{path, text}}, PathsRead(compilation, options.common)})) {
+  if (const auto failure = WriteAll({{}, {{path, text}}, PathsRead(compilation, options.common), {path}})) {
     return CannotWrite(*failure);
   }
   if (!options.quiet) std::cerr << "wrote " << diag::Escaped(path) << '\n';

@@ -106,7 +106,8 @@ int RunSim(const SimSettings& settings) {
                                            compilation.dialect->make_stub(compilation.program, options), std::cout);
   std::cout.flush();
   if (!settings.waveform.empty()) {
-    OutputRequest output{{}, {{settings.waveform, sim::WriteVcd(outcome.trace, compilation.name)}}, {}};
+    OutputRequest output{
+        {}, {{settings.waveform, sim::WriteVcd(outcome.trace, compilation.name)}}, {}, {settings.waveform}};
     output.protected_paths = PathsRead(compilation, settings.common);
     if (*plant) output.protected_paths.push_back((*plant)->model().path());
     if (const auto failure = WriteWithFolders(output)) {

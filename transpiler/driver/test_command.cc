@@ -104,6 +104,7 @@ int WriteFiles(const TestSettings& settings, const std::vector<scenarios::Scenar
     output.files.push_back({settings.waveform, results.front().waveform});
   }
   if (output.files.empty()) return kDone;
+  output.named = {settings.junit, settings.waveform};
   const std::optional<WriteFailure> failure = WriteWithFolders(output);
   return failure ? CannotWrite(*failure) : kDone;
 }

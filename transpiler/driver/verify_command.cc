@@ -285,6 +285,7 @@ bool Verification::WriteCertificate() {
                                                                .left_out = left_out_,
                                                                .front_end = front_end_ ? &*front_end_ : nullptr})});
   output.protected_paths = PathsRead(compilation_, settings_.common);
+  output.named = {settings_.certificate};
   const auto failure = WriteWithFolders(output);
   if (failure) ReportCannotWrite(*failure, compilation_);
   return !failure;
