@@ -175,6 +175,33 @@ TEST_F(DiffCommand, AScenarioPassesOnTheOldVersionOnly) {
   EXPECT_EQ(place_.Run("test found/U4A0.yaml --engine sim --sources new/door.plc").code, 1);
 }
 
+// A scenario of the same name that somebody else wrote stays.
+TEST_F(DiffCommand, AScenarioTakesAFreeName) {
+  std::filesystem::create_directory(place_.Path("found"));
+  place_.Write("found/U4A0.yaml", "# my own\nsteps: []\n");
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_EQ(place_.Run("diff old new --counterexamples found").code, 1);
+    EXPECT_EQ(place_.Read("found/U4A0.yaml"), "# my own\nsteps: []\n");
+    EXPECT_EQ(place_.Run("test found/U4A0_2.yaml --engine sim").code, 0);
+    EXPECT_FALSE(place_.Has("found/U4A0_3.yaml"));
+  }
+}
+
+// Who reads results beside the files of the new version finds each one's place.
+TEST_F(DiffCommand, EachResultOfSarifHasAPlace) {
+  place_.Write("old/door.plc", "$\nU4A0=I0A0\nU4A1=I0A1\nU4A2=I0A2\nT5I(20)=I0A3\n");
+  place_.Write("new/door.plc", "$\nU4A0=I0A0\nU4A2=I0A3\n");
+  const Ran ran = place_.Run("diff old new --format sarif");
+  EXPECT_EQ(ran.code, 1) << ran;
+  const nlohmann::json results = nlohmann::json::parse(ran.out)["runs"][0]["results"];
+  EXPECT_GE(results.size(), 2U);
+  for (const nlohmann::json& result : results) {
+    ASSERT_TRUE(result.contains("locations")) << result;
+    const nlohmann::json& place = result["locations"][0]["physicalLocation"];
+    EXPECT_EQ(place["artifactLocation"]["uri"], "new/door.plc") << result;
+  }
+}
+
 /// What stands at its old address in the new version is something else.
 TEST_F(DiffCommand, AMovedLocationIsNamedByItsSymbol) {
   place_.Write("old/door.sym", "* door\nRUN = U100K0\n");

@@ -21,6 +21,7 @@
 #include "transpiler/engines/platform.h"
 #include "transpiler/review/diff/diff.h"
 #include "transpiler/review/diff/sources.h"
+#include "transpiler/review/diff/statements.h"
 
 namespace plcxx::driver {
 namespace {
@@ -176,7 +177,9 @@ int RunDiff(const DiffSettings& settings) {
     std::cout << DiffPage(diff, old_side, new_side);
   } else {
     const std::string program = settings.common.is_one_of_several ? settings.words.program : "";
-    std::cout << RenderedDiff(diff, {requests.old_side.label, requests.new_side.label, program}, settings.format);
+    std::cout << RenderedDiff(
+        diff, {requests.old_side.label, requests.new_side.label, program, review::diff::FileOfProgram(new_side)},
+        settings.format);
   }
   if (!settings.scenarios.empty()) {
     if (const int written = WriteScenarios(diff, settings.scenarios); written != kDone) return written;

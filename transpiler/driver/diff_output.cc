@@ -322,7 +322,22 @@ std::string DiffJson(const review::diff::Diff& diff, const DiffNames& names) {
   return diag::JsonForTerminals(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-std::string DiffSarif(const review::diff::Diff& diff, const DiffNames&) {
+namespace {
+
+Json PlaceOf(const review::diff::ItemStatement& statement) {
+  return {{"artifactLocation", {{"uri", diag::UriOf(statement.file)}}},
+          {"region", {{"startLine", statement.line}, {"startColumn", statement.column}}}};
+}
+
+/// What an item is about in the new version: its own statements; where it has none, the only one that was changed.
+const std::vector<review::diff::ItemStatement>& StatementsInNew(const review::diff::Diff& diff,
+                                                                const review::diff::DiffItem& item) {
+  return item.new_statements.empty() && diff.new_statements.size() == 1 ? diff.new_statements : item.new_statements;
+}
+
+}  // namespace
+
+std::string DiffSarif(const review::diff::Diff& diff, const DiffNames& names) {
   Json results = Json::array();
   const std::vector<review::diff::DiffGroup> groups = review::diff::GroupsOf(diff);
   for (const review::diff::DiffGroup& group : groups) {
@@ -345,13 +360,17 @@ std::string DiffSarif(const review::diff::Diff& diff, const DiffNames&) {
                                                                                     : "behaviour-not-decided"},
                    {"level", item.verdict == review::diff::ItemVerdict::kDifferent ? "warning" : "note"},
                    {"message", {{"text", message}}}};
-    const std::vector<review::diff::ItemStatement>& statements =
-        item.new_statements.empty() ? item.old_statements : item.new_statements;
-    for (const review::diff::ItemStatement& statement : statements) {
+    for (const review::diff::ItemStatement& statement : StatementsInNew(diff, item))
+      result["locations"].push_back({{"physicalLocation", PlaceOf(statement)}});
+    if (!result.contains("locations")) {
       result["locations"].push_back(
-          {{"physicalLocation",
-            {{"artifactLocation", {{"uri", diag::UriOf(statement.file)}}},
-             {"region", {{"startLine", statement.line}, {"startColumn", statement.column}}}}}});
+          {{"physicalLocation", {{"artifactLocation", {{"uri", diag::UriOf(names.new_file)}}}}}});
+    }
+    if (item.new_statements.empty()) {  // they are in a file that who reads this need not have
+      for (const review::diff::ItemStatement& statement : item.old_statements) {
+        result["relatedLocations"].push_back(
+            {{"physicalLocation", PlaceOf(statement)}, {"message", {{"text", "in the old version"}}}});
+      }
     }
     results.push_back(std::move(result));
   }

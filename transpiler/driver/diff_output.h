@@ -12,7 +12,8 @@ namespace plcxx::driver {
 
 struct DiffNames {
   std::string old_label, new_label;
-  std::string program = {};  // of several; empty: there is one
+  std::string program = {};   // of several; empty: there is one
+  std::string new_file = {};  // where the statements of the new version begin
 };
 
 std::string DiffText(const review::diff::Diff& diff, const DiffNames& names, diag::Colour colour);

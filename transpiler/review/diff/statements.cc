@@ -188,4 +188,13 @@ void ShowChangedLines(const DiffSide& old_side, const DiffSide& new_side, DiffIt
     ShowChangedLine(new_side, statement, old_side, item.old_statements);
 }
 
+std::string FileOfProgram(const DiffSide& side) {
+  const source::SourceManager& sources = *side.compilation.sources;
+  for (const ir::Statement& statement : side.whole.statements) {
+    if (statement.range != source::Range{})
+      return ShownPath(side, sources.Get(sources.FileAt(statement.range.begin)).path);
+  }
+  return sources.size() == 0 ? "" : ShownPath(side, sources.Get(source::FileId(0)).path);
+}
+
 }  // namespace plcxx::review::diff

@@ -22,6 +22,9 @@ std::vector<ItemStatement> ChangedStatements(const DiffSide& side, const DiffSid
 
 ItemStatement StatementOf(const DiffSide& side, ir::StatementId id, const StatementTexts& other_texts);
 
+/// Where a version's statements begin: the file of what has no statement of its own.
+std::string FileOfProgram(const DiffSide& side);
+
 /// Of changed statements of several lines that both versions have: the first line that the other one has not at this
 /// place, though it may stand elsewhere.
 void ShowChangedLines(const DiffSide& old_side, const DiffSide& new_side, DiffItem& item);
