@@ -172,6 +172,12 @@ TEST(HncLowering, ASwitchStaysOneAndFallsThrough) {
   EXPECT_FALSE(HasLine(lines, "jump")) << testing::PrintToString(lines);
 }
 
+TEST(HncLowering, LabelsOfASwitchAreSpelledAsTheyWereWritten) {
+  EXPECT_TRUE(HasLine(Body("switch (a) { case 0x01: case 0X20: case 12: b = 1; break; case 0xFFFF: b = 2; }"),
+                      "case 0x1 0x20 12 {"));
+  EXPECT_TRUE(HasLine(Body("switch (a) { if (b) { case 0x10: b = 1; } case 7: b = 2; }"), "case 0x10 {"));
+}
+
 // covers: HNC-237
 TEST(HncLowering, ASwitchStaysOneWhereAGotoLeavesNoArm) {
   const auto jumps = [](const std::string& arms) {

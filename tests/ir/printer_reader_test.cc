@@ -88,7 +88,7 @@ routine slow slow (slice : i32 = slice) sliced slices 4 {
       }
     }
     switch %2 {
-      case 0 1 falls_through {
+      case 0 0x1 12 falls_through {
       }
       default {
         %8 = call sub (%2)

@@ -134,7 +134,7 @@ void RoutinePrinter::PrintSwitch(const Inst& inst) {
   ++indent;
   for (const SwitchCase& arm : program.switches[SwitchId(inst.payload)].cases) {
     std::string head = arm.values.empty() ? "default" : "case";
-    for (const uint64_t value : arm.values) head += ' ' + std::to_string(value);
+    for (size_t i = 0; i < arm.values.size(); ++i) head += ' ' + text::Spelled(arm.values[i], arm.Base(i));
     PrintSection(arm.falls_through ? head + " falls_through" : head, arm.region);
   }
   --indent;
@@ -191,7 +191,7 @@ void RoutinePrinter::PrintInst(InstId id) {
     case Shape::kConst: {
       out += op + ' ' + std::string(Name(inst.type));
       const uint64_t value = ConstantValue(inst);
-      if (inst.op == OpKind::kConst) out += inst.c == 16 ? " 0x" + text::Hex(value) : ' ' + std::to_string(value);
+      if (inst.op == OpKind::kConst) out += ' ' + text::Spelled(value, inst.c);
       out += '\n';
       break;
     }

@@ -80,6 +80,9 @@ struct SwitchCase {
   std::vector<uint64_t> values;  // empty: default
   RegionId region;
   bool falls_through = false;
+  std::vector<uint32_t> bases = {};  // of the values' spellings, as of kConst; of those beyond its end 10
+
+  uint32_t Base(size_t value) const { return value < bases.size() ? bases[value] : 10; }
 };
 struct Switch {
   std::vector<SwitchCase> cases;

@@ -13,6 +13,10 @@ struct BodyReader {
   ValueId Value();
   uint32_t ValueWord() { return Value().index; }
   void Access(Inst& inst, uint32_t& index);
+  /// How the number that comes next is spelled.
+  uint32_t BaseOfNext() const {
+    return !reader.AtEnd() && reader.lines[reader.line].tokens[reader.token].text.starts_with("0x") ? 16 : 10;
+  }
   std::vector<ValueId> Arguments();
   InstId Append(RegionId region, const Inst& inst) {
     const InstId id = program.insts.Add(inst);
@@ -141,8 +145,10 @@ void BodyReader::ReadSwitch(InstId id) {
     SwitchCase arm;
     if (!reader.Accept("default")) {
       reader.Expect("case");
-      do arm.values.push_back(reader.Number());
-      while (!reader.AtEnd() && text::Number(reader.lines[reader.line].tokens[reader.token].text));
+      do {
+        arm.bases.push_back(BaseOfNext());
+        arm.values.push_back(reader.Number());
+      } while (!reader.AtEnd() && text::Number(reader.lines[reader.line].tokens[reader.token].text));
     }
     arm.falls_through = reader.Accept("falls_through");
     RegionId region;
@@ -200,12 +206,11 @@ void BodyReader::ReadOperation(RegionId region, Inst inst, const std::string& na
       break;
     case Shape::kConst: {
       inst.type = reader.TypeName();
-      const bool hex = inst.op == OpKind::kConst && !reader.AtEnd() &&
-                       reader.lines[reader.line].tokens[reader.token].text.starts_with("0x");
+      const uint32_t base = BaseOfNext();
       const uint64_t value = inst.op == OpKind::kConst ? reader.Number() : 0;
       inst.a = static_cast<uint32_t>(value);
       inst.b = static_cast<uint32_t>(value >> 32);
-      if (inst.op == OpKind::kConst) inst.c = hex ? 16 : 10;
+      if (inst.op == OpKind::kConst) inst.c = base;
       break;
     }
     case Shape::kLoad:

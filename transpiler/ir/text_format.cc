@@ -109,6 +109,8 @@ std::string Hex(uint64_t value) {
   return std::string(digits, end);
 }
 
+std::string Spelled(uint64_t value, uint32_t base) { return base == 16 ? "0x" + Hex(value) : std::to_string(value); }
+
 std::vector<std::string> Handles(const std::vector<std::string>& names) {
   std::vector<std::string> handles;
   handles.reserve(names.size());

@@ -31,6 +31,8 @@ std::optional<std::vector<Token>> Tokens(std::string_view line);
 /// Decimal, or hexadecimal after 0x; none when it is no number or does not fit.
 std::optional<uint64_t> Number(std::string_view text);
 std::string Hex(uint64_t value);
+/// As Number reads it: in base 16 after 0x, otherwise decimal.
+std::string Spelled(uint64_t value, uint32_t base);
 
 /// Handles: distinct names in the order of the items; a repeated name gets ~2, ~3 ...
 std::vector<std::string> Handles(const std::vector<std::string>& names);

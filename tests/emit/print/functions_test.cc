@@ -176,6 +176,12 @@ TEST(Functions, ReturnNoResultWhereTheyGoOn) {
   EXPECT_THAT(ResultFunction(arm), HasSubstr("    return count;\n"));
 }
 
+// Labels of a switch are numbers as any other.
+TEST(Functions, SpellLabelsAsTheyWereWritten) {
+  EXPECT_THAT(ResultFunction("%0 = load W\nswitch %0 {\ncase 0x1 12 0x100 {\n%1 = load count\nstore result %1\n}\n}\n"),
+              HasSubstr("  case 0x01:\n    case 12:\n    case 0x0100: {\n"));
+}
+
 // The variable of the result is there as long as some text names it.
 TEST(Functions, HaveAVariableOfTheResultWhereItIsNamed) {
   EXPECT_EQ(ResultFunction("stmt s1\n%0 = load count\nstore result %0\n"), "  return count;\n");

@@ -105,7 +105,7 @@ void PartPrinter::SwitchOver(ir::InstId id) {
       Line("default: {");
     } else {
       for (size_t i = 0; i < arm.values.size(); ++i) {
-        Line("case " + std::to_string(arm.values[i]) + (i + 1 < arm.values.size() ? ":" : ": {"));
+        Line("case " + IntegerText(arm.values[i], arm.Base(i)) + (i + 1 < arm.values.size() ? ":" : ": {"));
       }
     }
     ++indent_;

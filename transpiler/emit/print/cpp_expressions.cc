@@ -46,7 +46,7 @@ std::string FloatText(T value, std::string_view suffix) {
 Spelling SpellConstant(const ir::Inst& inst) {
   const uint64_t value = ir::ConstantValue(inst);
   const bool integer = inst.type != ir::Type::kBit && inst.type != ir::Type::kF32 && inst.type != ir::Type::kF64;
-  if (integer && inst.c == 16) return {Hex(value, DigitsOfWidth(value)), Precedence::kPrimary};
+  if (integer && inst.c == 16) return {IntegerText(value, inst.c), Precedence::kPrimary};
   const std::string text = ConstantText(inst.type, value);
   return {text, text.front() == '-' ? Precedence::kUnary : Precedence::kPrimary};
 }
@@ -202,6 +202,10 @@ Spelling SpellPattern(const Emittable& emittable, const ir::Inst& inst, std::str
 }
 
 }  // namespace
+
+std::string IntegerText(uint64_t value, uint32_t base) {
+  return base == 16 ? Hex(value, DigitsOfWidth(value)) : std::to_string(value);
+}
 
 std::string ConstantText(ir::Type type, uint64_t value) {
   switch (type) {

@@ -66,6 +66,8 @@ bool IsSpelledAsBool(const Emittable& emittable, ir::ValueId value);
 bool IsChoiceByOneBit(const Emittable& emittable, const ir::Inst& choice);
 /// A place as it is read and written: "m[U4A8]", "s"; of an indexed one, its element `index`.
 Spelling SpellPlace(const Emittable& emittable, ir::PlaceId place, ir::ValueId index);
+/// A whole number as the source spells it, in base 10 or 16: "500", "0x20".
+std::string IntegerText(uint64_t value, uint32_t base);
 /// The raw bits of a value as a decimal constant: "true", "40000u", "1.5F".
 std::string ConstantText(ir::Type type, uint64_t value);
 /// An element of an array member of State by its name, or by the name of its stretch: "U4A8", "DB100 + 3".

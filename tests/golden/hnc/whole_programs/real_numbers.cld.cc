@@ -1395,7 +1395,7 @@ to_g8_p149:;
       record_fault(m, 2, 0x05081F07, host);
     }
     switch (Add32(1, m[At(g9_p149_from_4_by_1, t211)])) {
-      case 16: {
+      case 0x10: {
         // case 0x10:
         // --g4_p149;
         m[g4_p149] = Sub16(m[g4_p149], 1);

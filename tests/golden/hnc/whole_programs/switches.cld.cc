@@ -1255,7 +1255,7 @@ static void plc2(State& m, Host& host) noexcept {
 
   // switch (g8_p12[1].m0 << (g13_p12.m0 & 31) ^ M21_p12(g12_p12.f20))
   switch (ShiftLeft16(m[g8_p12_1_m0], m[g13_p12_m0] & 0x1F) ^ (m[g12_p12_f20] & 0x7F)) {
-    case 16: {
+    case 0x10: {
       // case 0x10:
       // g10_p12[g11_p12[2][2] * g11_p12[0][0] & 3] = ((char *) J16_p12(g9, _p12))[1];
       m[At(g10_p12, Mul32(m[g11_p12_2_2], m[g11_p12_0_0]) & 3)] = m[g9_p12_0_byte_1];

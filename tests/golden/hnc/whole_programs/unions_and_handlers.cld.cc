@@ -638,7 +638,7 @@ static uint8_t f43_p81(State& m, uint16_t a44_p81, Host& host) noexcept {
       }
       break;
     }
-    case 16: {
+    case 0x10: {
       // case 0x10:
       // g8_p81.m1[M20_p81 & 1] -= 255;
       const uint16_t t694 = ArithmeticShiftRight16(SignExtend8To16(m[g16_p81_m1_0]), SignExtend8To16(m[X6])
@@ -1288,7 +1288,7 @@ static void plc2(State& m, Host& host) noexcept {
           record_fault(m, 1, 0x833F6C8D, host);
         }
         switch (SignedRemOrZero32(1000, t453) & (m[X13] <= 7)) {
-          case 16: {
+          case 0x10: {
             // case 0x10:
             // g14_p81 = 'M' - g17_p81.m0 ? sizeof(R[31] / X[5]) || '\a' : 'z1' & E1_p81;
             m[g14_p81] = (Sub16(77, m[g17_p81_m0]) != 0 ? 1 : 12626);

@@ -53,14 +53,17 @@ Value Expressions::Evaluate(ExprId id) {
   return value;
 }
 
+uint32_t Expressions::BaseOf(const Expr& constant) const {
+  const std::string_view text = sources_.Text(constant.range);
+  return text.starts_with("0x") || text.starts_with("0X") ? 16 : 10;
+}
+
 Value Expressions::EvaluateLeaf(ExprId id) {
   const Expr& expr = ExprAt(id);
   if (!expr.type.valid()) return conversions_.Zero(int_);
   if (expr.constant && IsArithmetic(TypeAt(expr.type))) {
     if (IsInteger(TypeAt(expr.type))) {
-      const std::string_view text = sources_.Text(expr.range);
-      const bool hex = text.starts_with("0x") || text.starts_with("0X");
-      return conversions_.Number(expr.constant->integer, expr.type, hex ? 16 : 10);
+      return conversions_.Number(expr.constant->integer, expr.type, BaseOf(expr));
     }
     const bool narrow = TypeAt(expr.type).bits == 32;
     const uint64_t bits = narrow ? std::bit_cast<uint32_t>(static_cast<float>(expr.constant->real))

@@ -36,6 +36,8 @@ class Expressions : Context {
   /// For its effects only.
   void Execute(ExprId id);
   ir::ValueId Condition(ExprId id);
+  /// How the source spells a constant: 10 or 16.
+  uint32_t BaseOf(const Expr& constant) const;
 
  private:
   Value EvaluateLeaf(ExprId id);

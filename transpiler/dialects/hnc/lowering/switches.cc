@@ -66,11 +66,15 @@ void Switches::Lower(const Statement& statement) {
         is_default = has_default = true;
       } else {
         arm.values.push_back(RawValue(label.value, type));
+        arm.bases.push_back(expressions_.BaseOf(ExprAt(label.case_expression)));
         chosen = chosen ? Join(*chosen, {label.value, label.value}) : Bounds{label.value, label.value};
       }
       labelled = label.then;
     }
-    if (is_default) arm.values.clear();
+    if (is_default) {
+      arm.values.clear();
+      arm.bases.clear();
+    }
     Flow entered = before;
     if (cell && chosen && !is_default) entered.Narrow(*cell, *chosen);
     const bool fallen = flow_.reachable;
@@ -153,6 +157,7 @@ void Switches::LowerFlat(const Statement& statement, const Value& selector) {
       has_default = true;
     } else {
       chosen.values.push_back(RawValue(label.value, type));
+      chosen.bases.push_back(expressions_.BaseOf(ExprAt(label.case_expression)));
     }
     arms.cases.push_back(std::move(chosen));
   });
