@@ -166,6 +166,23 @@ TEST(Host50Lowering, StatementsAreRungsWithTheirComments) {
   EXPECT_EQ(statements[ir::StatementId(0)].subject, "Q0");
 }
 
+// The head of a file, though tables stand in front of its first section; what is behind a drawing and the last part.
+TEST(Host50Lowering, CommentsAroundTablesDrawingsAndSectionsAreKept) {
+  LoweredProgram lowered;
+  LowerInto(
+      lowered,
+      {"; lathe, version 3\n\n; names\nSYMBOLS\n%B1 start\nEND_SYMBOLS\n; period\nSLOWDIV 4\n; fast\nFAST\nNETWORK\n"
+       "LADDER\n  |--[ %I1 ]--( %Q1 )\nEND_LADDER ; drawn\nNETWORK\nLADDER\n  |--[ %I2 ]--( %Q2 )\n"
+       "END_LADDER ; the end\nEND_FAST ; of fast\n; behind\n"});
+  Text comments;
+  for (const ir::Statement& statement : lowered.program.statements) {
+    for (const source::Range& range : statement.comments) comments.emplace_back(lowered.sources.Text(range));
+    if (statement.subject.empty()) comments.emplace_back(lowered.sources.Text(statement.range));
+  }
+  EXPECT_THAT(comments, ElementsAre(" lathe, version 3", " names", " period", " fast", "NETWORK", " drawn", "NETWORK",
+                                    " the end", " of fast", " behind"));
+}
+
 TEST(Host50Lowering, NumbersOfStatementsComeFromTheirText) {
   LoweredProgram one, two;
   LowerInto(one, {Slow("LD %I0\nOUT %Q0\nLD %I1\nOUT %Q1\n")});

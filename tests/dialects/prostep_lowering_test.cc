@@ -255,7 +255,7 @@ TEST(ProstepLowering, StatementsShowTheirLines) {
   LowerInto(lowered,
             "; glowa\n\n:MOD PM 9   modul\n; zawor\nX  :A I 0.0   otwarty\n; w srodku\n   := O 0.0\n:A I 0.1\n:= F "
             "0.1\n; koniec\n:END PM "
-            "9 ; gotowe\n:MOD PM 1\n:JU PM 20\n:END PM 1\n:MOD PM 20\n:END PM 20\n");
+            "9 ; gotowe\n:MOD PM 1\n:JU PM 20\n:END PM 1\n:MOD PM 20\n:END PM 20\n; wszystko\n; razem\n");
   const auto text = [&](uint32_t statement) {
     return std::string(lowered.sources.Text(lowered.program().statements[ir::StatementId(statement)].range));
   };
@@ -271,6 +271,8 @@ TEST(ProstepLowering, StatementsShowTheirLines) {
   EXPECT_EQ(text(1), ":A I 0.1\n:= F 0.1");
   EXPECT_EQ(text(2), "");
   EXPECT_THAT(comments(2), ElementsAre("; koniec", "; gotowe"));
+  const auto last = static_cast<uint32_t>(lowered.program().statements.size()) - 1;
+  EXPECT_THAT(comments(last), ElementsAre(":MOD PM 20", "; wszystko", "; razem"));
 }
 
 }  // namespace

@@ -28,6 +28,16 @@ void SectionReader::CloseBody(uint32_t end) {
   if (!parts_.bodies.empty() && parts_.bodies.back().last == 0) parts_.bodies.back().last = end;
 }
 
+void SectionReader::AddEndComments(SectionId section) {
+  if (comments_.empty()) return;
+  Span& at_end = program_.sections[section].end_comments;
+  std::vector<source::Range> all;
+  for (uint32_t i = 0; i < at_end.count; ++i) all.push_back(program_.comments[at_end.first + i].range);
+  all.insert(all.end(), comments_.begin(), comments_.end());
+  comments_.clear();
+  at_end = AddComments(all, {});
+}
+
 SectionId SectionReader::OpenSection(PartKind part, const Line& line) {
   Section section;
   section.kind = SectionOf(part);
@@ -157,11 +167,13 @@ void SectionReader::TakeBodyLine(SectionId section, Line& line, uint32_t number)
     }
     OpenStrayNetwork(section, line, number);
   }
-  comments_.clear();  // those of instructions are taken with them
+  const bool ends_drawing = PartByEnd(word) == PartKind::kLadder;
+  if (!ends_drawing) comments_.clear();  // those of instructions are taken with them
+  if (ends_drawing && line.comment.end > line.comment.begin) comments_.push_back(line.comment);
   if (PartByName(word) == PartKind::kLadder) {
     CloseLadder();
     open_ladder_ = line.range;
-  } else if (PartByEnd(word) == PartKind::kLadder) {
+  } else if (ends_drawing) {
     Begin(line);
     if (!open_ladder_) {
       Fault(Peek().range, diag::Host50UnexpectedEnd, word, "closes nothing");

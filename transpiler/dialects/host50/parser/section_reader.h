@@ -18,6 +18,8 @@ class SectionReader : private StatementReader {
   void ForgetComments() { comments_.clear(); }
   /// The comments above a line and its own.
   Span TakeComments(const Line& line) { return AddComments(comments_, line.comment); }
+  /// Those behind the last part of a file, to those at the end of its last section.
+  void AddEndComments(SectionId section);
 
   /// At the line that opens it.
   SectionId OpenSection(PartKind part, const Line& line);

@@ -31,7 +31,9 @@ Parts StructureReader::ReadStructure() {
   for (uint32_t file = 0; file < files_.size(); ++file) {
     EnterFile(file);
     sections_.ForgetComments();
+    last_section_.reset();
     for (line_ = 0; !AtEndOfFile();) ReadTopLevelLine();
+    if (last_section_) sections_.AddEndComments(*last_section_);
   }
   return std::move(parts_);
 }
@@ -49,7 +51,7 @@ void StructureReader::ReadTopLevelLine() {
   if (const auto part = Opener(word)) {
     IsSection(*part) ? ReadSection(*part) : ReadTable(*part);
   } else if (IsDirective(word)) {
-    sections_.ForgetComments();
+    ForgetCommentsOfTable();
     parts_.directives.push_back({now_.file, line_++});
   } else if (PartByEnd(word)) {
     Begin(line);
@@ -109,8 +111,13 @@ bool StructureReader::ReadRowsWithoutSymbols() {
   return true;
 }
 
+/// What stands above a table or a directive is about it; in front of the first section it may be the head of the file.
+void StructureReader::ForgetCommentsOfTable() {
+  if (last_section_) sections_.ForgetComments();
+}
+
 void StructureReader::ReadTable(PartKind part) {
-  sections_.ForgetComments();
+  ForgetCommentsOfTable();
   const source::Range opening = CurrentLine().range;
   Begin(CurrentLine());
   Take();
@@ -192,6 +199,7 @@ bool StructureReader::ReadMisspeltEnd(PartKind part) {
 void StructureReader::ReadSection(PartKind part) {
   const source::Range opening = CurrentLine().range;
   const SectionId id = sections_.OpenSection(part, CurrentLine());
+  last_section_ = id;
   ++line_;
   for (bool open = true; open; ++line_) {
     if (AtNextPart()) {

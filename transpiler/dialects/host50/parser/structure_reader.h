@@ -23,6 +23,7 @@ class StructureReader : private StatementReader {
   void ReadSection(PartKind part);
   /// The line of the END that is met first, before any other part begins.
   std::optional<uint32_t> NextEnd() const;
+  void ForgetCommentsOfTable();
   /// At a word that is nearly the opening word of the part that is closed next: E101, and the part begins.
   bool ReadMisspeltOpening();
   /// Networks and instructions outside of any section, up to the next part.
@@ -44,6 +45,7 @@ class StructureReader : private StatementReader {
   Parts parts_;
   SectionReader sections_;
   uint32_t line_ = 0;
+  std::optional<SectionId> last_section_;  // of the file; none: it has had none yet
   /// From each line in [from, line) of the file the first line that begins a part or ends this one is `line`.
   struct Ahead {
     uint32_t file = 0;

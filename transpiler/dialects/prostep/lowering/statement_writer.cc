@@ -143,6 +143,13 @@ void StatementWriter::EndModule() {
                         CommentPlace::kLeading, comments);
   dialects::AddComments(tree_.comments, module().end_comments.first, module().end_comments.count,
                         CommentPlace::kTrailing, comments);
+  const auto is_later = [this](const Module& other) {
+    return other.file == module().file && other.open.begin > module().open.begin;
+  };
+  if (std::ranges::none_of(tree_.modules, is_later)) {
+    const Span rest = std::ranges::find(tree_.files, module().file, &SourceFile::file)->rest;
+    dialects::AddComments(tree_.comments, rest.first, rest.count, CommentPlace::kLeading, comments);
+  }
   if (comments.empty()) return;
   registers_.EndStatement();
   const source::Range place{module().close.begin, module().close.begin};
