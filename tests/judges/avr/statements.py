@@ -206,6 +206,23 @@ class Statements(Expressions, Pointing, Forms, Customs):
         item.is_volatile = word in ("register ", "volatile ")  # has no address that a pointer takes
         return Lines([word + text.replace(item.name, item.plc or item.name) + ";"])
 
+    def filled(self, item):
+        """A structure with an initialiser, which gives a part of it; the rest is 0, each time."""
+        parts = len(spelled.leaves(item.name, item.kind, item.count))
+        values = ", ".join(str(self.random.randrange(-3, 100)) for _ in range(self.random.randrange(1, parts + 1)))
+        declared = spelled.declared(item.kind, item.name, item.count)
+        self.body.hoisted.append(f"{declared} = {{0}};")
+        filled = spelled.declared(item.kind, "filled", item.count)
+        return Lines([f"{declared} = {{{values}}};"],
+                     [f"{{ {filled} = {{{values}}}; __builtin_memcpy(&{item.name}, &filled, sizeof filled); }}"])
+
+    def changed(self, item):
+        """What is not given is changed, and seen: it is 0 the next time, too."""
+        if self.sink in self.protected:
+            return Lines()
+        self.note(Spelled("", "", writes=frozenset({self.sink}), reads=frozenset({self.sink})))
+        return both(f"{self.sink} += ++{spelled.leaves(item.name, item.kind, item.count)[-1][0]};")
+
     def loop(self, depth):
         counter, declaration = self.counter()
         name = counter.name
@@ -343,7 +360,7 @@ class Statements(Expressions, Pointing, Forms, Customs):
 
     def inner_block(self, depth):
         """Locals: with an initialiser each time, without it 0 once."""
-        items, rows = [], Lines()
+        items, rows, changes = [], Lines(), Lines()
         hidden, macros = None, self.macros
         if self.chance(12):
             hidden = self.hide()
@@ -351,7 +368,13 @@ class Statements(Expressions, Pointing, Forms, Customs):
                 rows += self.local(hidden[1])
         for _ in range(self.random.randrange(1, 3)):
             item = Object(self.fresh("v"), self.random.choice(INTEGERS), self.random.choice((0, 0, 0, 3, 5)))
-            if item.count or self.chance(40):
+            aggregates = [struct for struct in self.structs if struct.word == "struct"]
+            if aggregates and self.chance(50):
+                item.kind = self.random.choice(aggregates)
+                item.count = self.random.choice((0, 0, 2))
+                rows += self.filled(item)
+                changes += self.changed(item)
+            elif item.count or self.chance(40):
                 rows += self.local(item)
             else:
                 value = self.note(self.integer(2))
@@ -367,7 +390,7 @@ class Statements(Expressions, Pointing, Forms, Customs):
             self.objects.remove(hidden[1])
             self.objects.append(hidden[0])
         self.macros = macros
-        return block(rows + inner)
+        return block(rows + changes + inner)
 
     def hide(self):
         """A local with the name of a global variable; a macro would mean the local."""
