@@ -281,6 +281,9 @@ TermId Terms::Ite(TermId condition, TermId then, TermId otherwise) {
     const TermId next(first.a == one_of.a ? one_of.b : one_of.a);
     return Ite(TermId(first.a), TermId(first.b), Ite(next, TermId(first.c), otherwise));
   }
+  // What the other side is anyway where this one is taken.
+  if (IsWhere(otherwise, then, condition, true)) return otherwise;
+  if (IsWhere(then, otherwise, condition, false)) return then;
   // The magnitude of a magnitude: where both x and -x are negative, they are one number.
   if (const Term inner = terms_[then.index];
       inner.kind == TermKind::kIte && IsSignOf(*this, condition, otherwise) && TermId(inner.b) == otherwise &&

@@ -179,6 +179,9 @@ class Terms {
   TermId EqOfConst(TermId a, TermId constant);
   /// The same where `condition` has the value; looks only at what is asked first in the term.
   TermId Where(TermId term, TermId condition, bool value);
+  /// Whether `choice`, choices one in the other, is `leaf` wherever `condition` has the value: as far as the parts of
+  /// conditions tell.
+  bool IsWhere(TermId choice, TermId leaf, TermId condition, bool value) const;
   /// An operation of a choice and a constant as the choice of two operations, where one of them is of constants.
   TermId OfChoice(TermKind kind, TermId a, TermId b);
   /// A choice of two products or quotients that have an operand in common, as one of a choice: c ? x * y : x * z is
