@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "transpiler/support/mixed.h"
+#include "transpiler/symbolic/solver/counterparts.h"
+#include "transpiler/symbolic/terms/aimed_values.h"
 #include "transpiler/symbolic/terms/cone.h"
 #include "transpiler/symbolic/terms/evaluate.h"
 #include "transpiler/symbolic/terms/form.h"
@@ -19,13 +21,30 @@ namespace {
 
 constexpr int kVectors = 24;
 constexpr int kLikelyVectors = 24;
-constexpr size_t kMostCandidates = 3;          // of one class that a term is compared with
-constexpr size_t kMostTermsToRefine = 20'000;  // a counterexample is evaluated on cones up to this size
+constexpr int kMostAimedVectors = 256;
+constexpr uint8_t kOftenEnough = 3;             // that a condition holds, and that it does not
+constexpr uint64_t kAimedShare = 16;            // of the time
+constexpr size_t kMostCandidates = 3;           // of one class that a term is compared with
+constexpr size_t kMostTermsToRefine = 200'000;  // a counterexample is evaluated on cones up to this size
 constexpr size_t kMostTermsToSpread = 2'000'000;
 constexpr size_t kMostTermsOfForm = 1000;
 constexpr uint32_t kShortShare = 8;  // of the time for a pair: for each of them before any has more
 constexpr size_t kMostRefutedFirst = 20;
-constexpr size_t kMostRefuted = 400;  // questions that were answered by "possible"; then no more are asked
+constexpr size_t kMostRefuted = 400;             // questions that were answered by "possible"; then no more are asked
+constexpr size_t kMostCounterparts = 1'000'000;  // pairs
+
+/// With what a term is compared.
+enum class Candidates : uint8_t {
+  kCounterparts,  // what stands at its place in the other side
+  kAlike          // what has its values on the samples
+};
+
+/// Not what one of several conditions chooses: there are as many of those as bits that are written.
+bool IsCondition(const terms::Term& term) {
+  using enum terms::TermKind;
+  return term.kind == kEq || term.kind == kUlt || term.kind == kSlt ||
+         (term.width == 1 && (term.kind == kAnd || term.kind == kOr));
+}
 
 enum Side : uint8_t { kNone = 0, kSideA = 1, kSideB = 2, kBoth = 3 };
 
@@ -40,11 +59,14 @@ class Sweeper {
   void MarkCones();
   /// false: it was not done in time.
   bool Simulate();
+  /// More values, by which conditions hold that did not yet.
+  void SimulateRare(terms::LikelyValues& likely);
   void Refine(terms::TermId one, terms::TermId other, size_t most_terms);
   void EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable);
   void EvaluateLikelyVector(int vector, terms::LikelyValues& likely);
   void AddToSignature(terms::TermId id, uint64_t value);
-  void SweepTerm(terms::TermId id);
+  void SweepTerm(terms::TermId id, Candidates candidates);
+  bool AllAreOne() const;
   /// `id` with its operands as they are represented now.
   terms::TermId Rebuilt(terms::TermId id);
   void AskAboutPairs(std::vector<Verdict>& verdicts, uint32_t milliseconds);
@@ -66,12 +88,14 @@ class Sweeper {
   std::vector<uint8_t> sides_;       // by TermId
   std::vector<terms::TermId> cone_;  // of the pairs that are not one term, operands first
   std::vector<uint64_t> signatures_, values_;
-  std::vector<uint64_t> class_of_;  // by TermId: the signature before the first question
+  std::array<std::vector<uint8_t>, 2> counts_;  // by TermId: how often a condition was 0 and 1
+  std::vector<uint64_t> class_of_;              // by TermId: the signature before the first question
   std::vector<terms::TermId> representative_;
   std::vector<terms::TermId> equal_to_;  // by TermId: an earlier one, where a question has shown it
   std::vector<TermPair> asked_;          // by pair: what was asked about last
   uint32_t asked_ms_ = 0;                // how long each such question might take
   std::unordered_map<uint64_t, std::vector<terms::TermId>> classes_;  // looked up only
+  CounterpartsOfTerms counterparts_;
   terms::Random random_{0x9E3779B97F4A7C15};
 };
 
@@ -103,6 +127,8 @@ void Sweeper::AddToSignature(terms::TermId id, uint64_t value) {
   values_[id.index] = value;
   uint64_t& signature = signatures_[id.index];
   signature = support::Mixed(signature, value);
+  uint8_t& count = counts_[value & 1][id.index];
+  if (count < kOftenEnough) ++count;
 }
 
 void Sweeper::EvaluateLikelyVector(int vector, terms::LikelyValues& likely) {
@@ -119,6 +145,7 @@ void Sweeper::EvaluateLikelyVector(int vector, terms::LikelyValues& likely) {
 bool Sweeper::Simulate() {
   values_.assign(terms_.size(), 0);
   signatures_.assign(terms_.size(), 0);
+  counts_.fill(std::vector<uint8_t>(terms_.size(), 0));
   for (int vector = 0; vector < kVectors; ++vector) {
     if (Late()) return false;
     const uint64_t density = vector % 4 == 0 ? 128 : vector % 4 == 1 ? 16 : vector % 4 == 2 ? 240 : 64;
@@ -143,7 +170,29 @@ bool Sweeper::Simulate() {
     if (Late()) return false;
     EvaluateLikelyVector(vector, likely);
   }
+  SimulateRare(likely);
   return true;
+}
+
+void Sweeper::SimulateRare(terms::LikelyValues& likely) {
+  const Deadline deadline(limits_.clock, limits_.total_ms / kAimedShare);
+  terms::AimedValues aimed(terms_, random_.Next());
+  int vectors = 0;
+  // From the last ones, which depend on most of what is before them.
+  for (auto id = cone_.rbegin(); id != cone_.rend() && vectors < kMostAimedVectors && !deadline.IsOver(); ++id) {
+    if (!IsCondition(terms_[*id])) continue;
+    for (const uint64_t value : {0, 1}) {
+      if (counts_[value][id->index] >= kOftenEnough) continue;
+      aimed.AimAt(*id, value);
+      for (const terms::TermId evaluated : cone_) {
+        const uint64_t result = terms::EvaluateTerm(
+            terms_, terms_[evaluated], [this](terms::TermId operand) { return values_[operand.index]; },
+            [&](uint32_t) { return aimed.Of(evaluated, likely.Of(vectors, evaluated)); });
+        AddToSignature(evaluated, result);
+      }
+      ++vectors;
+    }
+  }
 }
 
 /// The values by which the solver told two terms apart tell others apart, too. Classes stay as they are; who is
@@ -209,9 +258,9 @@ terms::TermId Sweeper::Rebuilt(terms::TermId id) {
   return changed ? Representative(terms_.Rebuild(term, operands)) : id;
 }
 
-void Sweeper::SweepTerm(terms::TermId id) {
+void Sweeper::SweepTerm(terms::TermId id, Candidates candidates) {
   const uint8_t width = terms_.Width(id);
-  terms::TermId now = Rebuilt(id);
+  terms::TermId now = equal_to_[id.index].valid() ? Representative(equal_to_[id.index]) : Rebuilt(id);
   // What became a term of the other side by its operands alone is found; a constant is its own best form; and what both
   // sides have in common needs no question.
   const bool found = now.index < sides_.size() && (sides_[now.index] | sides_[id.index]) == kBoth;
@@ -222,7 +271,9 @@ void Sweeper::SweepTerm(terms::TermId id) {
       !found && !terms_.IsConst(now) && !Late() && refuted < (first_side ? kMostRefutedFirst : kMostRefuted);
   if (asks) {
     size_t tried = 0;
-    for (const terms::TermId member : std::vector<terms::TermId>(classes_[class_of_[id.index]])) {
+    const std::vector<terms::TermId> others =
+        candidates == Candidates::kCounterparts ? counterparts_[id.index] : classes_[class_of_[id.index]];
+    for (const terms::TermId member : others) {
       const terms::TermId other = Representative(member);
       if (other == now) break;
       // An answer to the question before may have told them apart.
@@ -243,7 +294,12 @@ void Sweeper::SweepTerm(terms::TermId id) {
     }
   }
   representative_[id.index] = now;
-  classes_[class_of_[id.index]].push_back(id);
+  if (candidates == Candidates::kAlike) classes_[class_of_[id.index]].push_back(id);
+}
+
+bool Sweeper::AllAreOne() const {
+  return std::ranges::all_of(pairs_,
+                             [this](const TermPair& pair) { return Representative(pair.a) == Representative(pair.b); });
 }
 
 std::vector<Verdict> Sweeper::Run() {
@@ -273,7 +329,13 @@ std::vector<Verdict> Sweeper::Run() {
   class_of_ = signatures_;
   representative_.assign(terms_.size(), terms::TermId());
   equal_to_.assign(terms_.size(), terms::TermId());
-  for (const terms::TermId id : cone_) SweepTerm(id);
+  counterparts_ = Counterparts(terms_, pairs_, kMostCounterparts, [this](terms::TermId a, terms::TermId b) {
+    return signatures_[a.index] == signatures_[b.index];
+  });
+  for (const terms::TermId id : cone_) SweepTerm(id, Candidates::kCounterparts);
+  if (!AllAreOne()) {
+    for (const terms::TermId id : cone_) SweepTerm(id, Candidates::kAlike);
+  }
   asked_.resize(pairs_.size());
   // What is soon shown makes the others easier.
   for (const uint32_t milliseconds : {limits_.pair_ms / kShortShare, limits_.pair_ms}) {
