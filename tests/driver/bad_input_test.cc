@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -69,6 +70,23 @@ TEST(BadInput, WhatIsNoFile) {
     const Ran ran = work.Run(command);
     EXPECT_EQ(ran.code, 2) << command << "\n" << ran;
     EXPECT_THAT(ran.errors, ::testing::ContainsRegex("but a (pipe|device)")) << command;
+  }
+}
+
+/// A shell gives the name of a descriptor for <(...), and that is a pipe with a writer.
+TEST(BadInput, APipeThatTheShellHasOpenedIsRead) {
+  const Workplace work;
+  work.Write("main.plc", kGoodProgram);
+  work.Write("wrong.plc", kBadProgram);
+  for (const std::string name : {"/dev/fd/0", "/proc/self/fd/0"}) {
+    const auto code = [&](const std::string& file) {
+      const int status = std::system(
+          ("cat '" + work.Path(file) + "' | " PLCXX_BINARY " check --dialect nc110 " + name + " >/dev/null 2>&1")
+              .c_str());
+      return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    };
+    EXPECT_EQ(code("main.plc"), 0) << name;
+    EXPECT_EQ(code("wrong.plc"), 1) << name;
   }
 }
 

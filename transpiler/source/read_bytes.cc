@@ -10,6 +10,7 @@
 
 #include "transpiler/source/near_file.h"
 #include "transpiler/source/unsaved.h"
+#include "transpiler/support/read_file.h"
 #include "transpiler/support/system_words.h"
 
 namespace plcxx::source {
@@ -64,7 +65,9 @@ std::variant<std::string, LoadError> ReadBytes(const std::string& path, size_t m
   }
   if (S_ISDIR(status.st_mode)) return LoadError{LoadProblem::kDirectory, "it is a directory"};
   // To open a pipe may last for ever, and a device may have no end.
-  if (!S_ISREG(status.st_mode)) return LoadError{LoadProblem::kNoFile, "it is no file, but " + KindOf(status.st_mode)};
+  const bool is_opened_pipe = S_ISFIFO(status.st_mode) && support::IsOpened(path);
+  if (!S_ISREG(status.st_mode) && !is_opened_pipe)
+    return LoadError{LoadProblem::kNoFile, "it is no file, but " + KindOf(status.st_mode)};
   const size_t size = status.st_size > 0 ? static_cast<size_t>(status.st_size) : 0;
   if (size > max_bytes) return TooLarge(max_bytes);
 

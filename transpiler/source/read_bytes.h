@@ -8,7 +8,8 @@
 
 namespace plcxx::source {
 
-/// A file above `max_bytes` is refused by its size, before it is opened; what is no file (a pipe, a device) unopened.
+/// A file above `max_bytes` is refused by its size, before it is opened; what is no file (a device, a pipe that
+/// is not support::IsOpened) unopened.
 std::variant<std::string, LoadError> ReadBytes(const std::string& path, size_t max_bytes);
 std::variant<std::string, LoadError> ReadStandardInput(size_t max_bytes);
 
