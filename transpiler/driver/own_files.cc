@@ -81,7 +81,8 @@ std::optional<std::string> FirstBytesOf(const std::string& path) {
   return head;
 }
 
-/// What is no text says nothing of who made it: the file of text that is written with it does. Empty: it is a text.
+/// What is no text says nothing of who made it: that the file is there that is written with it does. Empty: it is a
+/// text.
 std::string CompanionOf(const fs::path& path) {
   const std::string stem = path.stem().string(), extension = path.extension().string();
   if (extension == ".a") return stem + ".objects";
@@ -96,13 +97,14 @@ bool IsForeign(const std::string& path, std::string_view text) {
   std::error_code error;
   if (!fs::is_regular_file(path, error) || fs::file_size(path, error) == 0) return false;
   const fs::path place(path);
-  if (const std::string companion = CompanionOf(place); !companion.empty()) {
-    const std::optional<std::string> head = FirstBytesOf((place.parent_path() / companion).string());
-    return !head || !OwnKindOf(*head);
-  }
+  if (const std::string companion = CompanionOf(place); !companion.empty())
+    return !fs::exists(place.parent_path() / companion, error);
   const std::optional<std::string> head = FirstBytesOf(path);
   if (!head) return true;
-  if (const std::optional<FileKind> kind = OwnKindOf(text.substr(0, kHead))) return OwnKindOf(*head) != kind;
+  if (const std::optional<FileKind> kind = OwnKindOf(text.substr(0, kHead))) {
+    // A record that is damaged is no file of the user's; it is not believed, but made anew.
+    return kind != FileKind::kObjects && OwnKindOf(*head) != kind;
+  }
   // A header of the runtime, as another version of plcxx may have written it.
   const auto first_line = [](std::string_view whole) { return whole.substr(0, whole.find_first_of("\r\n")); };
   return first_line(*head) != first_line(text) && head->find("plcxx") == std::string::npos;
