@@ -91,6 +91,14 @@ std::string CompanionOf(const fs::path& path) {
   return "";
 }
 
+/// Beside the record of what it was made of.
+bool HasLibrary(const fs::path& objects) {
+  const std::string stem = objects.stem().string();
+  std::error_code error;
+  return fs::exists(objects.parent_path() / (stem + ".a"), error) ||
+         (stem.starts_with("lib") && fs::exists(objects.parent_path() / (stem.substr(3) + ".so"), error));
+}
+
 }  // namespace
 
 bool IsForeign(const std::string& path, std::string_view text) {
@@ -102,8 +110,9 @@ bool IsForeign(const std::string& path, std::string_view text) {
   const std::optional<std::string> head = FirstBytesOf(path);
   if (!head) return true;
   if (const std::optional<FileKind> kind = OwnKindOf(text.substr(0, kHead))) {
-    // A record that is damaged is no file of the user's; it is not believed, but made anew.
-    return kind != FileKind::kObjects && OwnKindOf(*head) != kind;
+    // A record that is damaged is not believed, but made anew: it stands beside the library.
+    if (kind == FileKind::kObjects && HasLibrary(place)) return false;
+    return OwnKindOf(*head) != kind;
   }
   // A header of the runtime, as another version of plcxx may have written it.
   const auto first_line = [](std::string_view whole) { return whole.substr(0, whole.find_first_of("\r\n")); };
