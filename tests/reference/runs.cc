@@ -55,6 +55,16 @@ std::string Joined(const std::vector<std::string>& words) {
   return text;
 }
 
+/// The control that the scenario meets; none where the dialect has none.
+std::unique_ptr<dialects::ControlStub> ControlOf(const scenarios::Scenario& scenario,
+                                                 const compilation::Compilation& compilation) {
+  std::unique_ptr<dialects::ControlStub> control;
+  if (compilation.dialect->make_stub != nullptr)
+    control = compilation.dialect->make_stub(compilation.program, compilation.options);
+  const std::optional<uint64_t> seed = CapriciousSeed(scenario.path);
+  return seed ? MakeCapricious(compilation.program, *seed, std::move(control)) : std::move(control);
+}
+
 }  // namespace
 
 RunResult RunBeside(const scenarios::Scenario& scenario, compilation::Compilation& compilation,
@@ -80,13 +90,6 @@ RunResult RunBeside(const scenarios::Scenario& scenario, compilation::Compilatio
   engines.push_back(std::move(simulator));
   engines.push_back(std::move(reference));
   engines::Lockstep lockstep(compilation.program, std::move(engines));
-  std::unique_ptr<dialects::ControlStub> control;
-  if (compilation.dialect->make_stub != nullptr) {
-    control = compilation.dialect->make_stub(compilation.program, compilation.options);
-  }
-  if (const std::optional<uint64_t> seed = CapriciousSeed(scenario.path)) {
-    control = MakeCapricious(compilation.program, *seed, std::move(control));
-  }
   const std::optional<std::string> failure = scenarios::RunScenario({.scenario = scenario,
                                                                      .plan = std::get<scenarios::ScenarioPlan>(plan),
                                                                      .dialect = *compilation.dialect,
@@ -94,7 +97,7 @@ RunResult RunBeside(const scenarios::Scenario& scenario, compilation::Compilatio
                                                                      .sources = *compilation.sources,
                                                                      .engines = lockstep,
                                                                      .writes = nullptr,
-                                                                     .stub = std::move(control)});
+                                                                     .stub = ControlOf(scenario, compilation)});
   if (failure) return {Outcome::kDisagrees, *failure, result.compared};
   if (!beside.reference().unsupported().empty()) {  // met while it ran
     return {Outcome::kUnsupported, scenario.path + ": " + Joined(beside.reference().unsupported()), 0};
@@ -120,9 +123,7 @@ std::vector<uint64_t> TraceOf(const scenarios::Scenario& scenario, compilation::
                           .sources = *compilation.sources,
                           .engines = lockstep,
                           .writes = nullptr,
-                          .stub = compilation.dialect->make_stub == nullptr
-                                      ? nullptr
-                                      : compilation.dialect->make_stub(compilation.program, compilation.options)});
+                          .stub = ControlOf(scenario, compilation)});
   return trace;
 }
 

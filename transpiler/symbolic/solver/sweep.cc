@@ -62,12 +62,14 @@ class Sweeper {
   /// More values, by which conditions hold that did not yet.
   void SimulateRare(terms::LikelyValues& likely);
   void Refine(terms::TermId one, terms::TermId other, size_t most_terms);
-  void EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable);
+  void EvaluateVector(const std::function<uint64_t(terms::TermId variable)>& variable);
   void EvaluateLikelyVector(int vector, terms::LikelyValues& likely);
   void AddToSignature(terms::TermId id, uint64_t value);
   void SweepTerm(terms::TermId id, Candidates candidates);
+  /// Older terms.
+  std::vector<terms::TermId> CandidatesOf(terms::TermId id, Candidates candidates) const;
   bool AllAreOne() const;
-  /// `id` with its operands as they are represented now.
+  /// What `id` is shown to be, else `id` with its operands as they are represented now.
   terms::TermId Rebuilt(terms::TermId id);
   void AskAboutPairs(std::vector<Verdict>& verdicts, uint32_t milliseconds);
   /// What a question about a pair has shown to be equal is one from then on; false: nothing has.
@@ -113,12 +115,11 @@ void Sweeper::MarkCones() {
   }
 }
 
-void Sweeper::EvaluateVector(const std::function<uint64_t(uint32_t variable, uint8_t width)>& variable) {
+void Sweeper::EvaluateVector(const std::function<uint64_t(terms::TermId variable)>& variable) {
   for (const terms::TermId id : cone_) {
-    const terms::Term& term = terms_[id];
     const uint64_t value = terms::EvaluateTerm(
-        terms_, term, [this](terms::TermId operand) { return values_[operand.index]; },
-        [&](uint32_t number) { return variable(number, term.width); });
+        terms_, terms_[id], [this](terms::TermId operand) { return values_[operand.index]; },
+        [&](uint32_t) { return variable(id); });
     AddToSignature(id, value);
   }
 }
@@ -149,8 +150,8 @@ bool Sweeper::Simulate() {
   for (int vector = 0; vector < kVectors; ++vector) {
     if (Late()) return false;
     const uint64_t density = vector % 4 == 0 ? 128 : vector % 4 == 1 ? 16 : vector % 4 == 2 ? 240 : 64;
-    EvaluateVector([&](uint32_t, uint8_t width) -> uint64_t {
-      if (width == 1) return (random_.Next() & 255) < density ? 1 : 0;
+    EvaluateVector([&](terms::TermId variable) -> uint64_t {
+      if (terms_.Width(variable) == 1) return (random_.Next() & 255) < density ? 1 : 0;
       switch (random_.Next() % 4) {
         case 0:
           return 0;
@@ -184,12 +185,7 @@ void Sweeper::SimulateRare(terms::LikelyValues& likely) {
     for (const uint64_t value : {0, 1}) {
       if (counts_[value][id->index] >= kOftenEnough) continue;
       aimed.AimAt(*id, value);
-      for (const terms::TermId evaluated : cone_) {
-        const uint64_t result = terms::EvaluateTerm(
-            terms_, terms_[evaluated], [this](terms::TermId operand) { return values_[operand.index]; },
-            [&](uint32_t) { return aimed.Of(evaluated, likely.Of(vectors, evaluated)); });
-        AddToSignature(evaluated, result);
-      }
+      EvaluateVector([&](terms::TermId variable) { return aimed.Of(variable, likely.Of(vectors, variable)); });
       ++vectors;
     }
   }
@@ -248,6 +244,7 @@ Answer Sweeper::Differ(terms::TermId a, terms::TermId b, uint32_t milliseconds) 
 }
 
 terms::TermId Sweeper::Rebuilt(terms::TermId id) {
+  if (const terms::TermId equal = equal_to_[id.index]; equal.valid()) return Representative(equal);
   const terms::Term term = terms_[id];
   std::vector<terms::TermId> operands;
   bool changed = false;
@@ -258,9 +255,18 @@ terms::TermId Sweeper::Rebuilt(terms::TermId id) {
   return changed ? Representative(terms_.Rebuild(term, operands)) : id;
 }
 
+std::vector<terms::TermId> Sweeper::CandidatesOf(terms::TermId id, Candidates candidates) const {
+  if (candidates == Candidates::kCounterparts) {
+    const auto at = counterparts_.find(id.index);
+    return at == counterparts_.end() ? std::vector<terms::TermId>() : at->second;
+  }
+  const auto at = classes_.find(class_of_[id.index]);
+  return at == classes_.end() ? std::vector<terms::TermId>() : at->second;
+}
+
 void Sweeper::SweepTerm(terms::TermId id, Candidates candidates) {
   const uint8_t width = terms_.Width(id);
-  terms::TermId now = equal_to_[id.index].valid() ? Representative(equal_to_[id.index]) : Rebuilt(id);
+  terms::TermId now = Rebuilt(id);
   // What became a term of the other side by its operands alone is found; a constant is its own best form; and what both
   // sides have in common needs no question.
   const bool found = now.index < sides_.size() && (sides_[now.index] | sides_[id.index]) == kBoth;
@@ -271,9 +277,7 @@ void Sweeper::SweepTerm(terms::TermId id, Candidates candidates) {
       !found && !terms_.IsConst(now) && !Late() && refuted < (first_side ? kMostRefutedFirst : kMostRefuted);
   if (asks) {
     size_t tried = 0;
-    const std::vector<terms::TermId> others =
-        candidates == Candidates::kCounterparts ? counterparts_[id.index] : classes_[class_of_[id.index]];
-    for (const terms::TermId member : others) {
+    for (const terms::TermId member : CandidatesOf(id, candidates)) {
       const terms::TermId other = Representative(member);
       if (other == now) break;
       // An answer to the question before may have told them apart.
@@ -385,10 +389,7 @@ bool Sweeper::TakeOver(const std::vector<Verdict>& verdicts) {
     is_any = true;
   }
   if (!is_any) return false;
-  for (const terms::TermId id : cone_) {
-    const terms::TermId equal = equal_to_[id.index];
-    representative_[id.index] = equal.valid() ? Representative(equal) : Rebuilt(id);
-  }
+  for (const terms::TermId id : cone_) representative_[id.index] = Rebuilt(id);
   return true;
 }
 

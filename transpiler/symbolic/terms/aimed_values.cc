@@ -1,20 +1,16 @@
 #include "transpiler/symbolic/terms/aimed_values.h"
 
-#include <algorithm>
-
 namespace plcxx::terms {
 namespace {
 
 constexpr size_t kMostAims = 5000;
-
-uint64_t AllBits(uint8_t width) { return Masked(~uint64_t{0}, width); }
 
 }  // namespace
 
 void AimedValues::AimAt(TermId term, uint64_t value) {
   variables_.clear();
   open_.clear();
-  Add(term.index, AllBits(terms_.Width(term)), value);
+  Add(term.index, ~uint64_t{0}, value);
   for (size_t steps = 0; !open_.empty() && steps < kMostAims; ++steps) {
     const Aim next = open_.back();
     open_.pop_back();
@@ -28,7 +24,7 @@ uint64_t AimedValues::Of(TermId variable, uint64_t otherwise) const {
 }
 
 void AimedValues::Add(uint32_t term, uint64_t mask, uint64_t bits) {
-  mask &= AllBits(terms_.Width(TermId(term)));
+  mask = Masked(mask, terms_.Width(TermId(term)));
   if (mask != 0) open_.push_back({TermId(term), mask, bits & mask});
 }
 
@@ -88,7 +84,7 @@ void AimedValues::MeetComparison(const Term& term, bool holds) {
   // Near the border, or at the end of what the width has.
   const bool is_signed = term.kind == TermKind::kSlt;
   const uint64_t sign = uint64_t{1} << (width - 1);
-  const uint64_t least = is_signed ? sign : 0, most = is_signed ? sign - 1 : AllBits(width);
+  const uint64_t least = is_signed ? sign : 0, most = is_signed ? sign - 1 : ~uint64_t{0};
   const bool is_far = random_.OneIn(2);
   const uint64_t step = random_.Next() % 2;
   if (terms_.IsConst(b)) {
