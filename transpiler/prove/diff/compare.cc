@@ -6,17 +6,15 @@
 #include "transpiler/prove/diff/comparison.h"
 #include "transpiler/prove/diff/relations.h"
 #include "transpiler/prove/diff/renamed.h"
-#include "transpiler/prove/machine/inputs.h"
 
 namespace plcxx::prove::diff {
 namespace {
 
-constexpr uint32_t kNone = 0xFFFFFFFF;
 constexpr size_t kMostReached = 2000;  // pairs
 // Of the time, and no more than: for what proves all equal at once, when there is nothing else to be found out.
 constexpr uint64_t kFirstRoundShare = 12, kFirstRoundMs = 2000;
 constexpr uint64_t kRoundOfManyShare = 20, kInductionOfManyShare = 4;  // of the time
-// For what is guessed and proved soon. A question takes as long as it takes: of a short time a larger share.
+// For what is guessed and proved soon.
 constexpr uint64_t kInvariantsShare = 40, kRelationsShare = 16, kLargestShare = 8, kEnoughMs = 1000;
 
 /// By some host function.
@@ -28,7 +26,7 @@ bool MayBeSeen(const machine::Version& version, execute::CellId id) {
 }
 
 void AddMatched(Comparison& comparison) {
-  comparison.result_of_old.assign(comparison.old_version.cells.count, kNone);
+  comparison.result_of_old.assign(comparison.old_version.cells.count, Comparison::kNoResult);
   const OneSidedMemory one_sided(comparison.old_version, comparison.new_version, comparison.old_uses,
                                  comparison.new_uses, comparison.match);
   comparison.one_sided = one_sided.Written();
@@ -240,63 +238,178 @@ CompareResult Finish(Comparison& comparison, uint32_t invariants) {
   return result;
 }
 
+/// What is known after everything was taken for equal once.
+struct FirstPass {
+  bool at_power_on = false;  // all are equal then
+  bool is_proved = false;    // and always
+  uint32_t constants = 0;    // of which that makes use
+};
+
+bool IsAnySeparated(const Comparison& comparison) { return !SeparatedCells(comparison).empty(); }
+
+/// With everything taken for equal: which functions differ by themselves. None: it was given up.
+std::optional<FirstPass> TakeAllForEqual(Comparison& comparison) {
+  FirstPass pass;
+  const uint64_t first_round_ms = std::min(comparison.limits.total_ms / kFirstRoundShare, kFirstRoundMs);
+  const uint64_t later_round_ms = std::exchange(comparison.round_ms, std::max(comparison.round_ms, first_round_ms));
+  const auto find_inductive = [&] {
+    if (!CheckPowerOn(comparison)) return false;
+    pass.at_power_on = !IsAnySeparated(comparison);
+    return FindInductiveSet(comparison, {.most_rounds = 1});
+  };
+  if (!find_inductive()) return std::nullopt;
+  // Much of what a change reaches is masked by what never changes.
+  if (IsAnySeparated(comparison)) {
+    JoinAllButDifferent(comparison);
+    if (!FindConstants(comparison)) return std::nullopt;
+    pass.constants = ConstantCount(comparison);
+    if (!find_inductive()) return std::nullopt;
+  }
+  comparison.round_ms = later_round_ms;
+  // Equal at power-on, after a failure of power and after each part from every state in which all is equal.
+  pass.is_proved = pass.at_power_on && comparison.is_inductive && !IsAnySeparated(comparison);
+  return pass;
+}
+
+enum class EqualSet : uint8_t { kFound, kOpen, kGivenUp };
+
+/// What is masked on the way of a change is found in some rounds, or not in time: then what is reached is what is open.
+EqualSet FindEqualInReach(Comparison& comparison, const std::vector<execute::CellId>& reach) {
+  const std::vector<execute::CellId> separated = SeparatedCells(comparison);
+  const uint64_t total_ms = comparison.limits.total_ms;
+  const uint64_t before_ms = std::exchange(comparison.round_ms, total_ms / kRoundOfManyShare);
+  const uint64_t end_ms = comparison.RestMs() - std::min(comparison.RestMs(), total_ms / kInductionOfManyShare);
+  if (!FindInductiveSet(comparison, {.end_ms = end_ms})) return EqualSet::kGivenUp;
+  comparison.round_ms = before_ms;
+  if (comparison.is_inductive) return EqualSet::kFound;
+  JoinAllButDifferent(comparison);
+  for (const std::vector<execute::CellId>* const cells : {&separated, &reach}) {
+    for (const execute::CellId cell : *cells) comparison.pairing.Separate(cell);
+  }
+  uint32_t beyond_reach = 0;
+  if (!SeparateAfterPowerFailure(comparison, beyond_reach)) return EqualSet::kGivenUp;
+  return beyond_reach == 0 ? EqualSet::kFound : EqualSet::kOpen;
+}
+
+/// The pairs that are equal in every scan, whatever the others do. To be called when those that differ by themselves
+/// are separated; `at_power_on`: none of them does then. False as FindInductiveSet.
+bool FindEqualPairs(Comparison& comparison, bool at_power_on) {
+  // Of a change that reaches very much only its reach is found out, not what is masked inside.
+  std::vector<execute::CellId> reach;
+  if (at_power_on) {
+    std::optional<std::vector<execute::CellId>> found = ReachOfDifferences(comparison);
+    if (!found) return false;
+    reach = std::move(*found);
+  }
+  if (!SeparatePropagated(comparison)) return false;
+  comparison.changes_are_found = true;
+  // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.
+  MarkDifferent(comparison, Effort::kQuick);
+  const EqualSet set = reach.size() > kMostReached ? FindEqualInReach(comparison, reach) : EqualSet::kOpen;
+  return set == EqualSet::kFound || (set == EqualSet::kOpen && FindInductiveSet(comparison));
+}
+
+/// What is tried for the pairs that are open still, in the order of what it costs.
+class Attempts {
+ public:
+  /// `constants`: that the proofs make use of.
+  Attempts(Comparison& comparison, uint32_t constants)
+      : comparison_(comparison), total_ms_(comparison.limits.total_ms), constants_(constants), invariants_(constants) {}
+
+  /// What is found soon; where many invariants are guessed, runs are the better use of the time, and come first.
+  void BeginWithProofs() {
+    if (IsWorthTrying()) {
+      ProveWithRenamed(comparison_);
+      SeparateUndecided(comparison_);
+    }
+    comparison_.round_ms = ShortMs(kRelationsShare);
+    if (IsWorthTrying()) TryInvariants(ShortMs(kInvariantsShare));
+    if (IsWorthTrying()) TryRelations();
+  }
+
+  void SearchThoroughly() {
+    comparison_.round_ms = total_ms_ / 4;
+    const uint32_t undecided = comparison_.UndecidedCount();
+    MarkDifferent(comparison_, Effort::kThorough);
+    // Of a machine at work more can be guessed.
+    for (invariants::InvariantFinder* const finder : {comparison_.old_finder.get(), comparison_.new_finder.get()})
+      if (finder != nullptr) finder->GuessAgain();
+    if (IsWorthTrying()) TryRelations();
+    if (IsWorthTrying() && LacksInvariants()) {
+      TryInvariants(std::min(comparison_.RestMs() / 3, total_ms_ / 10));
+    } else if (IsWorthTrying() && comparison_.UndecidedCount() < undecided) {
+      TryReachable();
+    }
+  }
+
+  /// What is left of the time is used while something is open.
+  void UseRestOfTime() {
+    constexpr uint64_t kStatesShare = 12, kRoundShare = 8;
+    const auto share_ms = [&] {
+      const uint64_t rest_ms = comparison_.RestMs() - std::min(comparison_.RestMs(), total_ms_ / kStatesShare);
+      return std::min(rest_ms, std::max<uint64_t>(1, total_ms_ / kRoundShare));
+    };
+    while (IsAnySought(comparison_) && comparison_.RestMs() > total_ms_ / kStatesShare + total_ms_ / 100) {
+      if (IsWorthTrying() && LacksInvariants()) TryInvariants(share_ms() / 2);
+      if (MarkDifferent(comparison_, Effort::kLasting, share_ms()) != 0 && IsWorthTrying()) TryReachable();
+    }
+  }
+
+  uint32_t invariants() const { return invariants_; }
+
+ private:
+  bool IsWorthTrying() const {
+    const uint32_t undecided = comparison_.UndecidedCount();
+    return undecided > 0 && undecided <= kMostLookedAt && !comparison_.Late();
+  }
+
+  /// A question takes as long as it takes: of a short time a larger share.
+  uint64_t ShortMs(uint64_t share) const {
+    return std::max(total_ms_ / share, std::min(total_ms_ / kLargestShare, kEnoughMs));
+  }
+
+  bool LacksInvariants() const {
+    return !comparison_.old_finder || !comparison_.old_finder->is_done() || !comparison_.new_finder->is_done();
+  }
+
+  void CountInvariants() { invariants_ = constants_ + static_cast<uint32_t>(comparison_.InvariantCount()); }
+
+  /// What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can
+  /// be reached: that is tried before long runs are.
+  void TryReachable() {
+    JoinAllButDifferent(comparison_);
+    if (CheckPowerOn(comparison_) && FindInductiveSet(comparison_)) SetVerdicts(comparison_);
+  }
+
+  void TryInvariants(uint64_t most_ms) {
+    JoinAllButDifferent(comparison_);
+    const size_t before = comparison_.InvariantCount();
+    const bool any = AddInvariants(comparison_, most_ms);
+    CountInvariants();
+    if (any && invariants_ != before) {
+      TryReachable();
+    } else {
+      SeparateUndecided(comparison_);
+    }
+  }
+
+  void TryRelations() {
+    SeparateUndecided(comparison_);
+    for (std::vector<Relation>& relations : GuessRelations(comparison_)) {
+      comparison_.relations = std::move(relations);
+      comparison_.Report("relations");
+      TryReachable();
+      CountInvariants();
+      if (!IsWorthTrying()) return;
+    }
+  }
+
+  Comparison& comparison_;
+  uint64_t total_ms_;
+  uint32_t constants_, invariants_;
+};
+
 }  // namespace
-
-Comparison::Comparison(const machine::Version& old_side, const machine::Version& new_side, const Match& matching,
-                       const SimulatedRuns& simulated_runs, const CompareLimits& compare_limits)
-    : old_version(old_side),
-      new_version(new_side),
-      match(matching),
-      runs(simulated_runs),
-      limits(compare_limits),
-      pairing(terms, old_side, new_side, matching),
-      old_uses(machine::UsesOf(old_side)),
-      new_uses(machine::UsesOf(new_side)),
-      requests(MatchedRequests(old_side, new_side, matching)),
-      round_ms(compare_limits.total_ms / 90),
-      now(terms.Variable("now", 32)),
-      deadline(std::chrono::steady_clock::now() + std::chrono::milliseconds(compare_limits.total_ms)) {
-  solver::LoadedSolver loaded = solver::LoadSolver(terms);
-  solver = std::move(loaded.solver);
-  refusal = std::move(loaded.reason);
-}
-
-uint32_t Comparison::UndecidedCount() const {
-  return static_cast<uint32_t>(std::ranges::count(results, PairVerdict::kUndecided, &PairResult::verdict));
-}
-
-uint64_t Comparison::RestMs() const {
-  const auto rest = deadline - std::chrono::steady_clock::now();
-  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(rest).count();
-  return ms > 0 ? static_cast<uint64_t>(ms) : 0;
-}
-
-bool Comparison::IsLookedAt(const PairResult& result, uint32_t count) const {
-  return result.verdict == PairVerdict::kUndecided && (count <= kMostLookedAt || result.changed_itself);
-}
-
-const PairResult* Comparison::ResultOf(execute::CellId old_cell) const {
-  const uint32_t index = old_cell.valid() ? result_of_old[old_cell.index] : kNone;
-  return index == kNone ? nullptr : &results[index];
-}
-
-bool Comparison::IsInput(execute::CellId old_cell) const {
-  // The operator may send a text at any time.
-  const execute::CellId new_cell = match.new_of_old[old_cell.index];
-  if (machine::IsInbox(old_version, old_cell) || (new_cell.valid() && machine::IsInbox(new_version, new_cell)))
-    return true;
-  return IsInputPair(old_version, new_version, old_uses, new_uses, match, old_cell);
-}
-
-terms::TermId Comparison::NextOld(execute::CellId cell) {
-  const terms::TermId next = old_next.next[cell.index];
-  return next.valid() ? next : pairing.Initial(Which::kOld, cell);
-}
-
-terms::TermId Comparison::NextNew(execute::CellId cell) {
-  const terms::TermId next = new_next.next[cell.index];
-  return next.valid() ? next : pairing.Initial(Which::kNew, cell);
-}
 
 CompareResult CompareVersions(const machine::Version& old_version, const machine::Version& new_version,
                               const Match& match, const SimulatedRuns& runs, const CompareLimits& limits) {
@@ -312,135 +425,23 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
     if (comparison.refusal.empty()) MarkDifferent(comparison, Effort::kScenarios);
     return Finish(comparison, 0);
   };
-  const uint64_t later_round_ms = comparison.round_ms;
-  comparison.round_ms = std::max(comparison.round_ms, std::min(limits.total_ms / kFirstRoundShare, kFirstRoundMs));
-  // With everything taken for equal: which functions differ by themselves.
-  if (!CheckPowerOn(comparison)) return finish_early();
-  const auto any_separated = [&] { return !SeparatedCells(comparison).empty(); };
-  bool at_power_on = !any_separated();
-  if (!FindInductiveSet(comparison, {.most_rounds = 1})) return finish_early();
-  // Much of what a change reaches is masked by what never changes.
-  uint32_t constants = 0;
-  if (any_separated()) {
-    JoinAllButDifferent(comparison);
-    if (!FindConstants(comparison)) return finish_early();
-    constants = ConstantCount(comparison);
-    if (!CheckPowerOn(comparison)) return finish_early();
-    at_power_on = !any_separated();
-    if (!FindInductiveSet(comparison, {.most_rounds = 1})) return finish_early();
-  }
-  // Equal at power-on, after a failure of power and after each part from every state in which all is equal.
-  if (at_power_on && comparison.is_inductive && !any_separated()) {
+  const std::optional<FirstPass> first = TakeAllForEqual(comparison);
+  if (!first) return finish_early();
+  if (first->is_proved) {
     comparison.changes_are_found = true;  // there are none
     SetVerdicts(comparison);
-    return Finish(comparison, constants);
+    return Finish(comparison, first->constants);
   }
-  comparison.round_ms = later_round_ms;
-  // Of a change that reaches very much only its reach is found out, not what is masked inside.
-  std::vector<execute::CellId> reach;
-  if (at_power_on) {
-    std::optional<std::vector<execute::CellId>> found = ReachOfDifferences(comparison);
-    if (!found) return finish_early();
-    reach = std::move(*found);
-  }
-  const bool reaches_much = reach.size() > kMostReached;
-  if (!SeparatePropagated(comparison)) return finish_early();
-  comparison.changes_are_found = true;
-  // What a short run shows to differ needs no proof: a difference may take a scan for each step of its way.
-  MarkDifferent(comparison, Effort::kQuick);
-  uint32_t beyond_reach = 0;
-  bool is_found = false;
-  if (reaches_much) {
-    // What is masked on the way is found in some rounds, or not in time: then what is reached is what is open.
-    const std::vector<execute::CellId> separated = SeparatedCells(comparison);
-    const uint64_t before_ms = std::exchange(comparison.round_ms, limits.total_ms / kRoundOfManyShare);
-    const uint64_t end_ms =
-        comparison.RestMs() - std::min(comparison.RestMs(), limits.total_ms / kInductionOfManyShare);
-    if (!FindInductiveSet(comparison, {.end_ms = end_ms})) return finish_early();
-    comparison.round_ms = before_ms;
-    is_found = comparison.is_inductive;
-    if (!is_found) {
-      JoinAllButDifferent(comparison);
-      for (const std::vector<execute::CellId>* const cells : {&separated, &std::as_const(reach)}) {
-        for (const execute::CellId cell : *cells) comparison.pairing.Separate(cell);
-      }
-      if (!SeparateAfterPowerFailure(comparison, beyond_reach)) return finish_early();
-    }
-  }
-  if (!is_found && (!reaches_much || beyond_reach != 0) && !FindInductiveSet(comparison)) return finish_early();
+  if (!FindEqualPairs(comparison, first->at_power_on)) return finish_early();
   SetVerdicts(comparison);
-  uint32_t invariants = constants;
   // The solver's runs are the shortest ones; longer ones are tried for what these leave.
   SearchRuns(comparison);
-  // What was taken out for the sake of a pair that no run tells apart may be equal after all, in the states that can be
-  // reached: that is tried before long runs are.
-  const auto try_reachable = [&] {
-    JoinAllButDifferent(comparison);
-    if (CheckPowerOn(comparison) && FindInductiveSet(comparison)) SetVerdicts(comparison);
-  };
-  const auto is_tried = [&] {
-    const uint32_t undecided = comparison.UndecidedCount();
-    return undecided > 0 && undecided <= kMostLookedAt && !comparison.Late();
-  };
-  const auto try_invariants = [&](uint64_t most_ms) {
-    JoinAllButDifferent(comparison);
-    const size_t before = comparison.InvariantCount();
-    const bool any = AddInvariants(comparison, most_ms);
-    invariants = constants + static_cast<uint32_t>(comparison.InvariantCount());
-    if (any && invariants != before) {
-      try_reachable();
-    } else {
-      SeparateUndecided(comparison);
-    }
-  };
-  const auto try_relations = [&] {
-    SeparateUndecided(comparison);
-    for (std::vector<Relation>& relations : GuessRelations(comparison)) {
-      comparison.relations = std::move(relations);
-      comparison.Report("relations");
-      try_reachable();
-      invariants = constants + static_cast<uint32_t>(comparison.InvariantCount());
-      if (!is_tried()) return;
-    }
-  };
-  if (is_tried()) {
-    ProveWithRenamed(comparison);
-    SeparateUndecided(comparison);
-  }
-  // Those that are found soon; where many are guessed, runs are the better use of the time, and come first.
-  const auto soon_ms = [&limits](uint64_t share) {
-    return std::max(limits.total_ms / share, std::min(limits.total_ms / kLargestShare, kEnoughMs));
-  };
-  comparison.round_ms = soon_ms(kRelationsShare);
-  if (is_tried()) try_invariants(soon_ms(kInvariantsShare));
-  if (is_tried()) try_relations();
-  comparison.round_ms = limits.total_ms / 4;
-  const uint32_t undecided = comparison.UndecidedCount();
-  MarkDifferent(comparison, Effort::kThorough);
-  // Of a machine at work more can be guessed.
-  for (invariants::InvariantFinder* const finder : {comparison.old_finder.get(), comparison.new_finder.get()})
-    if (finder != nullptr) finder->GuessAgain();
-  if (is_tried()) try_relations();
-  const auto lacks_invariants = [&] {
-    return !comparison.old_finder || !comparison.old_finder->is_done() || !comparison.new_finder->is_done();
-  };
-  if (is_tried() && lacks_invariants()) {
-    try_invariants(std::min(comparison.RestMs() / 3, limits.total_ms / 10));
-  } else if (is_tried() && comparison.UndecidedCount() < undecided) {
-    try_reachable();
-  }
-  // What is left of the time is used while something is open.
-  constexpr uint64_t kStatesShare = 12, kRoundShare = 8;
-  while (IsAnySought(comparison) && comparison.RestMs() > limits.total_ms / kStatesShare + limits.total_ms / 100) {
-    const auto share_ms = [&] {
-      const uint64_t rest_ms = comparison.RestMs() - std::min(comparison.RestMs(), limits.total_ms / kStatesShare);
-      return std::min(rest_ms, std::max<uint64_t>(1, limits.total_ms / kRoundShare));
-    };
-    if (is_tried() && lacks_invariants()) try_invariants(share_ms() / 2);
-    if (MarkDifferent(comparison, Effort::kLasting, share_ms()) != 0 && is_tried()) try_reachable();
-  }
+  Attempts attempts(comparison, first->constants);
+  attempts.BeginWithProofs();
+  attempts.SearchThoroughly();
+  attempts.UseRestOfTime();
   SearchStates(comparison);
-  return Finish(comparison, invariants);
+  return Finish(comparison, attempts.invariants());
 }
 
 }  // namespace plcxx::prove::diff

@@ -32,6 +32,8 @@ struct Execution {
 enum class Known : uint8_t { kInvariants, kInvariantsAndRelations };
 
 struct Comparison {
+  static constexpr uint32_t kNoResult = 0xFFFFFFFF;
+
   Comparison(const machine::Version& old_version, const machine::Version& new_version, const Match& match,
              const SimulatedRuns& runs, const CompareLimits& limits);
 
@@ -56,7 +58,7 @@ struct Comparison {
   terms::TermId now;
   OneSided one_sided;                      // see CompareResult
   std::vector<PairResult> results;         // of matched state, ascending by old cell
-  std::vector<uint32_t> result_of_old;     // by old cell; kNone: it is none
+  std::vector<uint32_t> result_of_old;     // by old cell; kNoResult: it is none
   machine::Transition old_next, new_next;  // of the last period, over the pairing's variables
   uint64_t execution_ms = 0;               // that the last execution of a part took
   std::vector<Execution> executions;       // the last ones with these constants, newest first

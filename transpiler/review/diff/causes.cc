@@ -17,7 +17,7 @@ struct Touched {
   std::map<ir::StatementId, std::set<uint32_t>> reads;  // differing items only
 };
 
-Touched TouchedBy(const Named& side, const std::vector<Gathered>& items, std::vector<CellId> Gathered::* cells) {
+Touched TouchedBy(const Named& side, const std::vector<NamedItem>& items, std::vector<CellId> NamedItem::* cells) {
   std::vector<uint32_t> item_of(side.version.cells.count, kNoItem);
   for (uint32_t i = 0; i < items.size(); ++i) {
     if (items[i].item.verdict == ItemVerdict::kEqual) continue;
@@ -80,10 +80,10 @@ std::set<ir::StatementId> ChangedHeads(const Named& side, const std::set<ir::Sta
 
 }  // namespace
 
-void AddCauses(std::vector<Gathered>& items, const Named& old_side, const Named& new_side) {
+void AddCauses(std::vector<NamedItem>& items, const Named& old_side, const Named& new_side) {
   const StatementTexts old_texts = TextsOf(old_side.side), new_texts = TextsOf(new_side.side);
-  const Touched old_touched = TouchedBy(old_side, items, &Gathered::old_cells);
-  const Touched new_touched = TouchedBy(new_side, items, &Gathered::new_cells);
+  const Touched old_touched = TouchedBy(old_side, items, &NamedItem::old_cells);
+  const Touched new_touched = TouchedBy(new_side, items, &NamedItem::new_cells);
   for (uint32_t i = 0; i < items.size(); ++i) {
     DiffItem& item = items[i].item;
     if (item.verdict == ItemVerdict::kEqual) continue;
