@@ -9,7 +9,7 @@ namespace plcxx::review::diff {
 namespace {
 
 using execute::CellId;
-using Clock = std::chrono::steady_clock;
+using std::chrono::steady_clock;
 
 constexpr int kMostExamples = 60;
 constexpr uint64_t kExampleShare = 10;  // of the time: for shorter runs
@@ -59,15 +59,15 @@ bool IsShown(const NamedItem& named) {
 
 /// Until when what is done for the items.
 struct ExampleTimes {
-  Clock::time_point shortened;  // runs are made shorter
-  Clock::time_point shown;      // a run that is known is shown, shortened or not
-  Clock::time_point reused;     // it is tried what was shown for another item
+  steady_clock::time_point shortened;  // runs are made shorter
+  steady_clock::time_point shown;      // a run that is known is shown, shortened or not
+  steady_clock::time_point reused;     // it is tried what was shown for another item
 };
 
-ExampleTimes TimesUntil(Clock::time_point end, uint64_t time_ms) {
-  const Clock::time_point now = Clock::now();
-  const Clock::duration shortening =
-      std::max<Clock::duration>(std::chrono::milliseconds(time_ms / kExampleShare), (end - now) / kRestShare);
+ExampleTimes TimesUntil(steady_clock::time_point end, uint64_t time_ms) {
+  const steady_clock::time_point now = steady_clock::now();
+  const steady_clock::duration shortening =
+      std::max<steady_clock::duration>(std::chrono::milliseconds(time_ms / kExampleShare), (end - now) / kRestShare);
   const auto a_little = std::chrono::milliseconds(time_ms / kExampleShare / 4);
   ExampleTimes times;
   times.shortened = std::min(end, now + shortening);
@@ -80,7 +80,7 @@ ExampleTimes TimesUntil(Clock::time_point end, uint64_t time_ms) {
 
 void AddExamples(DiffSide& old_side, DiffSide& new_side, const Named& old_named, const Named& new_named,
                  const prove::diff::Match& match, const RandomRuns& runs, const DiffOptions& options,
-                 Clock::time_point end, std::vector<NamedItem>& items) {
+                 steady_clock::time_point end, std::vector<NamedItem>& items) {
   const ExampleTimes times = TimesUntil(end, options.time_ms);
   auto waiting = std::ranges::count_if(items, IsShown);
   ExampleBudget budget{.left = kMostExamples,
@@ -91,7 +91,7 @@ void AddExamples(DiffSide& old_side, DiffSide& new_side, const Named& old_named,
                        .new_program = scenarios::ScenarioProgram(new_side.compilation)};
   for (NamedItem& named : items) {
     if (named.item.verdict == ItemVerdict::kEqual) continue;
-    const Clock::time_point now = Clock::now();
+    const steady_clock::time_point now = steady_clock::now();
     const CounterexampleRequest request{.old_version = old_named.version,
                                         .new_version = new_named.version,
                                         .old_words = old_named.words,
@@ -105,11 +105,11 @@ void AddExamples(DiffSide& old_side, DiffSide& new_side, const Named& old_named,
     std::optional<Counterexample>& example = named.item.counterexample;
     if (IsShown(named) && budget.left > 0 && now < times.shown) {
       // Each has its share, and what the ones before it left over.
-      budget.end = now + std::max(Clock::duration::zero(), times.shortened - now) /
+      budget.end = now + std::max(steady_clock::duration::zero(), times.shortened - now) /
                              std::max<int64_t>(1, std::min<int64_t>(waiting--, budget.left));
       example = FindCounterexample(old_side, new_side, request, options, budget);
     }
-    if (IsShown(named) && !example && budget.left > 0 && Clock::now() < times.reused) {
+    if (IsShown(named) && !example && budget.left > 0 && steady_clock::now() < times.reused) {
       example = FindAmongShown(old_side, new_side, request, options, budget);
     }
     const auto is_run = [&runs](CellId cell) { return runs.difference_of.contains(cell); };

@@ -9,7 +9,7 @@ namespace {
 using execute::CellId;
 using prove::diff::Effort;
 using prove::diff::Sought;
-using Clock = std::chrono::steady_clock;
+using std::chrono::steady_clock;
 
 // Of the comparison's time.
 constexpr uint64_t kScenariosShare = 5, kQuickSearchShare = 40, kQuickWideShare = 10, kSearchShare = 6, kKeptShare = 60;
@@ -43,7 +43,7 @@ std::vector<CellId> RunSearches::Open(const Sought& sought) const {
 }
 
 RunSearches::Time RunSearches::EndOfShare(uint64_t share) const {
-  return std::min(end_, Clock::now() + std::chrono::milliseconds(options_.time_ms / share));
+  return std::min(end_, steady_clock::now() + std::chrono::milliseconds(options_.time_ms / share));
 }
 
 /// What a change leads to may show at a limit that was there before.
@@ -51,7 +51,7 @@ uint64_t RunSearches::ShareForCounts() const {
   return search_->has_changed_constants() || !runs_.difference_of.empty() ? kSearchShare : 4 * kSearchShare;
 }
 
-bool RunSearches::IsWorthExecuting() const { return end_ - Clock::now() > (Clock::now() - begin_) / 4; }
+bool RunSearches::IsWorthExecuting() const { return end_ - steady_clock::now() > (steady_clock::now() - begin_) / 4; }
 
 RunRequest RunSearches::RequestOf(const std::vector<CellId>& cells, Effort effort, Time end) const {
   return {.old_version = old_.version,
@@ -75,12 +75,12 @@ void RunSearches::RunWaiting(const std::vector<CellId>& cells, Time end) {
 
 void RunSearches::RunWide(const Sought& sought, Time end) {
   if (!IsWorthExecuting()) return;
-  search_->RunWideFromMoments(Open(sought), Clock::now() + (end - Clock::now()) / 2, runs_);
+  search_->RunWideFromMoments(Open(sought), steady_clock::now() + (end - steady_clock::now()) / 2, runs_);
   search_->RunWide(Open(sought), end, runs_);
 }
 
 void RunSearches::TakeTurn(Way way, const Sought& sought, Time end) {
-  const Time begin = Clock::now();
+  const Time begin = steady_clock::now();
   const size_t before = runs_.difference_of.size();
   switch (way) {
     case Way::kWide:
@@ -90,7 +90,7 @@ void RunSearches::TakeTurn(Way way, const Sought& sought, Time end) {
       search_->Run(Open(sought), end, runs_);
       break;
   }
-  turns_.Took(way, Clock::now() - begin, runs_.difference_of.size() - before);
+  turns_.Took(way, steady_clock::now() - begin, runs_.difference_of.size() - before);
 }
 
 void RunSearches::SearchQuickly(const Sought& sought) {
@@ -114,23 +114,23 @@ void RunSearches::SearchThoroughly(const Sought& sought) {
 void RunSearches::SearchLasting(const Sought& sought, uint64_t most_ms) {
   search_->Follow(sought.runs, end_, runs_);
   ++round_;
-  const Time lasting_end = std::min(end_, Clock::now() + std::chrono::milliseconds(most_ms));
+  const Time lasting_end = std::min(end_, steady_clock::now() + std::chrono::milliseconds(most_ms));
   if (IsMuchOpen(sought)) {
     TakeTurn(turns_.Next(), sought, lasting_end);
     return;
   }
   if (!Open(sought).empty()) search_->BeginWithKept(EndOfShare(kKeptShare), runs_);
   const auto counts_ms = std::chrono::milliseconds(most_ms / (ShareForCounts() / kSearchShare * 3));
-  search_->RunCounts(Open(sought), std::min(end_, Clock::now() + counts_ms), runs_);
+  search_->RunCounts(Open(sought), std::min(end_, steady_clock::now() + counts_ms), runs_);
   // By turns: many runs at once, what begins with a machine at work, and what waits long or counts from power-on.
   TakeTurn(Way::kWide, sought, lasting_end - std::chrono::milliseconds(most_ms / 2));
-  TakeTurn(Way::kAtWork, sought, Clock::now() + (lasting_end - Clock::now()) / 2);
+  TakeTurn(Way::kAtWork, sought, steady_clock::now() + (lasting_end - steady_clock::now()) / 2);
   RunRandom(Open(sought), Effort::kLasting, lasting_end);
 }
 
 std::vector<CellId> RunSearches::FindDifferent(const Sought& sought, Effort effort, uint64_t most_ms) {
   // Too late to begin with anything.
-  if (!search_ && Clock::now() >= end_) return {};
+  if (!search_ && steady_clock::now() >= end_) return {};
   if (!search_) {
     search_.emplace(old_.side, new_.side, old_.version, new_.version, match_, old_.words, sought.all);
   }

@@ -129,6 +129,168 @@ std::vector<prove::diff::SetCell> InputsAfter(const Stimuli& stimuli, uint32_t s
   return inputs;
 }
 
+/// Random runs of both versions beside each other, with what is the same for all of them.
+class RandomSearch {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// All outlive the object.
+  RandomSearch(const DiffSide& old_side, const DiffSide& new_side, const RunRequest& request,
+               const DiffOptions& options, RandomRuns& result)
+      : old_side_(old_side),
+        new_side_(new_side),
+        request_(request),
+        options_(options),
+        result_(result),
+        is_quick_(request.effort == prove::diff::Effort::kQuick),
+        inputs_(InputsOf(request.old_version, request.new_version, request.match)),
+        begin_(std::chrono::steady_clock::now()),
+        end_(std::min(request.end,
+                      begin_ + std::chrono::milliseconds(options.time_ms / (is_quick_ ? kQuickShare : kRandomShare)))),
+        period_ms_(std::max(1U, old_side.compilation.program.schedule.period_ms)),
+        random_((is_quick_ ? 0x9E3779B97F4A7C15 : 0xD1B54A32D192ED03) + request.round) {
+    for (const CellId cell : prove::diff::MatchedRequests(request.old_version, request.new_version, request.match))
+      requests_.push_back({.old_cell = cell, .new_cell = request.match.new_of_old[cell.index]});
+    for (const CellId cell : request.cells) pairs_.emplace_back(cell, request.match.new_of_old[cell.index]);
+  }
+
+  /// Half of the time for what is needed to start a timer and wait, or to start a counter and count.
+  void RunWaiting() {
+    const std::vector<prove::diff::SetCell> behind = InputsBehindBoth(request_, inputs_);
+    const ChangedConstants changed = FindChangedConstants(request_.old_version, request_.new_version);
+    const uint32_t pulses = std::max(kLeastPulses, changed.counts + 2);
+    const std::vector<prove::diff::SetCell> machines = InputsOfTheMachine(request_.old_version, behind);
+    // Where nothing can be set there is one run, and all that it takes is patience.
+    if (behind.empty() && request_.round <= 1) Run(HoldStimuli({}, kMostPatientRun, changed.times_ms));
+    if (behind.empty()) return;
+    if (request_.waits_only && changed.times_ms.empty() && changed.counts == 0) return;
+    const auto first_run = static_cast<int>(request_.round) * kHoldRuns;
+    for (int run = first_run; run < first_run + kHoldRuns && !Late(); ++run) {
+      if (std::chrono::steady_clock::now() > begin_ + (end_ - begin_) / 2) break;
+      const std::vector<prove::diff::SetCell>& set = machines.empty() || run % 4 == 3 ? behind : machines;
+      Report("waiting run ", run);
+      const bool near = !telling_.empty() && run % 2 == 0;
+      RunAndLearn(HoldStimuli(near ? AlmostTheSame(random_, telling_) : RandomInputs(random_, set, run), run,
+                              changed.times_ms));
+      Report("counting run ", run);
+      RunAndLearn(PulseStimuli(random_, set, run, pulses));
+    }
+  }
+
+  void RunRandom() {
+    const bool has_fast =
+        prove::machine::HasFastPart(request_.old_version) || prove::machine::HasFastPart(request_.new_version);
+    const std::vector<prove::diff::SetCell> of_the_machine = InputsOfTheMachine(request_.old_version, inputs_);
+    const std::vector<prove::diff::SetCell>& all_of_the_machine = of_the_machine.empty() ? inputs_ : of_the_machine;
+    for (int run = 0; run < (is_quick_ ? kQuickRuns : kMostRuns) && !Late(); ++run) {
+      Report("random run ", run);
+      // In a large program waiting costs much: the first runs show what differs without.
+      const Waits waits = is_quick_ && run < kQuickRuns / 2 ? Waits::kNone : Waits::kSome;
+      Run(MakeStimuli(random_, run % 3 == 2 ? inputs_ : all_of_the_machine, run, waits, has_fast));
+    }
+  }
+
+ private:
+  /// Both versions in one run.
+  struct Both {
+    DiffMachine old_machine, new_machine;
+    uint64_t periods = 0;
+
+    bool Differs(const std::pair<CellId, CellId>& pair) const {
+      return old_machine.Seen(pair.first) != new_machine.Seen(pair.second);
+    }
+  };
+
+  bool Late() const { return std::chrono::steady_clock::now() >= end_ || spare_ <= 0; }
+
+  void Report(const char* what, int run) const {
+    if (options_.progress) options_.progress(what + std::to_string(run + 1));
+  }
+
+  /// False: a version is stuck, or it is late.
+  bool Apply(const Stimulus& stimulus, Both& both) const {
+    if (!both.old_machine.Apply(stimulus, &prove::diff::SetCell::old_cell)) return false;
+    if (!both.new_machine.Apply(stimulus, &prove::diff::SetCell::new_cell)) return false;
+    both.old_machine.Look();
+    both.new_machine.Look();
+    both.periods += stimulus.slow + stimulus.ms / period_ms_;
+    return true;
+  }
+
+  /// Shorter runs are better ones.
+  void Add(CellId cell, const RandomRuns::Difference& difference) {
+    const auto [at, added] = result_.difference_of.try_emplace(cell, difference);
+    if (!added && difference.periods < at->second.periods) at->second = difference;
+  }
+
+  /// What differs for a moment only is seen by looking after every period of a step. `rest` becomes what is left of the
+  /// step. False as Apply.
+  bool WatchPeriods(const Stimuli& stimuli, uint32_t step, Stimulus& rest, Both& both) {
+    const uint32_t all_ms = stimuli[step].ms;
+    for (uint32_t passed_ms = period_ms_; passed_ms < all_ms && !Late(); passed_ms += period_ms_) {
+      rest.ms = period_ms_;
+      if (!Apply(rest, both)) return false;
+      rest = {.inputs = {}, .words = {}, .slow = 0, .ms = all_ms - passed_ms};
+      std::optional<RandomRuns::Difference> here;
+      for (const std::pair<CellId, CellId>& pair : pairs_) {
+        if (result_.difference_of.contains(pair.first) || !both.Differs(pair)) continue;
+        if (!here) {
+          here = {.run = static_cast<uint32_t>(result_.runs.size()), .steps = step + 1, .periods = both.periods};
+          result_.runs.emplace_back(stimuli.begin(), stimuli.begin() + step + 1).back().ms = passed_ms;
+        }
+        Add(pair.first, *here);
+      }
+    }
+    return true;
+  }
+
+  void Run(Stimuli stimuli) {
+    AddDoneRequests(random_, requests_, stimuli);
+    Both both{.old_machine = DiffMachine(old_side_, request_.old_version, end_),
+              .new_machine = DiffMachine(new_side_, request_.new_version, end_)};
+    const auto run = static_cast<uint32_t>(result_.runs.size());
+    result_.runs.push_back(stimuli);
+    for (uint32_t step = 0; step < stimuli.size() && !Late(); ++step) {
+      Stimulus rest = stimuli[step];
+      // As long as that does not take long.
+      const bool watches = !is_quick_ && both.periods * period_ms_ < kWatchedMs;
+      if (watches && !WatchPeriods(stimuli, step, rest, both)) return;
+      if (Late() || !Apply(rest, both)) break;
+      for (const std::pair<CellId, CellId>& pair : pairs_) {
+        if (both.Differs(pair)) Add(pair.first, {.run = run, .steps = step + 1, .periods = both.periods});
+      }
+    }
+    const auto is_found = [&](const auto& pair) { return result_.difference_of.contains(pair.first); };
+    if (!is_quick_ && std::ranges::all_of(pairs_, is_found)) --spare_;
+  }
+
+  /// Near the inputs with which something was seen there is more to be seen: what follows from it.
+  void RunAndLearn(const Stimuli& stimuli) {
+    const size_t seen = result_.difference_of.size();
+    const auto first_run = static_cast<uint32_t>(result_.runs.size());
+    Run(stimuli);
+    if (result_.difference_of.size() == seen) return;
+    for (const auto& [cell, difference] : result_.difference_of) {
+      if (difference.run >= first_run) telling_ = InputsAfter(result_.runs[difference.run], difference.steps);
+    }
+  }
+
+  const DiffSide& old_side_;
+  const DiffSide& new_side_;
+  const RunRequest& request_;
+  const DiffOptions& options_;
+  RandomRuns& result_;
+  bool is_quick_;
+  std::vector<prove::diff::SetCell> inputs_;
+  Time begin_, end_;
+  uint32_t period_ms_;
+  Random random_;
+  std::vector<prove::diff::SetCell> requests_;
+  std::vector<std::pair<CellId, CellId>> pairs_;  // that are looked at, old and new
+  std::vector<prove::diff::SetCell> telling_;     // the inputs when something was seen the last time
+  int spare_ = kSpareRuns;                        // some more runs than needed: a shorter one may come
+};
+
 }  // namespace
 
 std::vector<prove::diff::SetCell> InputsOf(const prove::machine::Version& old_version,
@@ -150,116 +312,11 @@ std::vector<prove::diff::SetCell> InputsOf(const prove::machine::Version& old_ve
 
 void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunRequest& request, const DiffOptions& options,
              RandomRuns& result) {
-  const prove::machine::Version& old_version = request.old_version;
-  const prove::machine::Version& new_version = request.new_version;
-  const bool quick = request.effort == prove::diff::Effort::kQuick;
-  if (!quick && request.cells.size() > kMostSought) return;  // what a change induces that reaches everything
-  const std::vector<prove::diff::SetCell> inputs = InputsOf(old_version, new_version, request.match);
-  std::vector<prove::diff::SetCell> requests;
-  for (const CellId cell : prove::diff::MatchedRequests(old_version, new_version, request.match))
-    requests.push_back({.old_cell = cell, .new_cell = request.match.new_of_old[cell.index]});
-  std::vector<std::pair<CellId, CellId>> pairs;
-  for (const CellId cell : request.cells) pairs.emplace_back(cell, request.match.new_of_old[cell.index]);
-  const auto begin = std::chrono::steady_clock::now();
-  const auto end =
-      std::min(request.end, begin + std::chrono::milliseconds(options.time_ms / (quick ? kQuickShare : kRandomShare)));
-  const uint32_t period_ms = std::max(1U, old_side.compilation.program.schedule.period_ms);
-  // Some more runs than needed: a shorter one may come.
-  int spare = kSpareRuns;
-  const auto late = [&] { return std::chrono::steady_clock::now() >= end || spare <= 0; };
-  const bool has_fast = prove::machine::HasFastPart(old_version) || prove::machine::HasFastPart(new_version);
-  Random random((quick ? 0x9E3779B97F4A7C15 : 0xD1B54A32D192ED03) + request.round);
-  const auto run_both = [&](Stimuli stimuli) {
-    AddDoneRequests(random, requests, stimuli);
-    DiffMachine old_machine(old_side, old_version, end), new_machine(new_side, new_version, end);
-    const auto run = static_cast<uint32_t>(result.runs.size());
-    result.runs.push_back(stimuli);
-    uint64_t periods = 0;
-    // Shorter runs are better ones.
-    const auto add = [&](CellId cell, const RandomRuns::Difference& difference) {
-      const auto [at, added] = result.difference_of.try_emplace(cell, difference);
-      if (!added && difference.periods < at->second.periods) at->second = difference;
-    };
-    for (uint32_t step = 0; step < stimuli.size() && !late(); ++step) {
-      const Stimulus& stimulus = stimuli[step];
-      uint32_t passed_ms = 0;
-      const auto apply = [&](const Stimulus& piece) {
-        if (!old_machine.Apply(piece, &prove::diff::SetCell::old_cell)) return false;
-        if (!new_machine.Apply(piece, &prove::diff::SetCell::new_cell)) return false;
-        old_machine.Look();
-        new_machine.Look();
-        periods += piece.slow + piece.ms / period_ms;
-        passed_ms += piece.ms;
-        return true;
-      };
-      // What differs for a moment only is seen by who looks after every period, as long as that does not take long.
-      const bool watches = !quick && periods * period_ms < kWatchedMs;
-      Stimulus piece = stimulus;
-      while (watches && passed_ms + period_ms < stimulus.ms && !late()) {
-        piece.ms = period_ms;
-        if (!apply(piece)) return;
-        piece = {.inputs = {}, .words = {}, .slow = 0, .ms = stimulus.ms - passed_ms};
-        std::optional<RandomRuns::Difference> here;
-        for (const auto& [old_cell, new_cell] : pairs) {
-          if (result.difference_of.contains(old_cell)) continue;
-          if (old_machine.Seen(old_cell) == new_machine.Seen(new_cell)) continue;
-          if (!here) {
-            here = {.run = static_cast<uint32_t>(result.runs.size()), .steps = step + 1, .periods = periods};
-            result.runs.emplace_back(stimuli.begin(), stimuli.begin() + step + 1).back().ms = passed_ms;
-          }
-          add(old_cell, *here);
-        }
-      }
-      if (late() || !apply(piece)) break;
-      for (const auto& [old_cell, new_cell] : pairs) {
-        if (old_machine.Seen(old_cell) == new_machine.Seen(new_cell)) continue;
-        add(old_cell, {.run = run, .steps = step + 1, .periods = periods});
-      }
-    }
-    if (quick) return;
-    const auto differs = [&](const auto& pair) { return result.difference_of.contains(pair.first); };
-    if (std::ranges::all_of(pairs, differs)) --spare;
-  };
-  std::vector<prove::diff::SetCell> behind;
-  if (!quick) behind = InputsBehindBoth(request, inputs);
-  // Half of the time for what is needed to start a timer and wait, or to start a counter and count.
-  const ChangedConstants changed = quick ? ChangedConstants() : FindChangedConstants(old_version, new_version);
-  const uint32_t pulses = std::max(kLeastPulses, changed.counts + 2);
-  const std::vector<prove::diff::SetCell> machines = InputsOfTheMachine(old_version, behind);
-  // Near the inputs with which something was seen there is more to be seen: what follows from it.
-  std::vector<prove::diff::SetCell> telling;
-  const auto run_and_learn = [&](const Stimuli& stimuli) {
-    const size_t seen = result.difference_of.size();
-    const auto first_run = static_cast<uint32_t>(result.runs.size());
-    run_both(stimuli);
-    if (result.difference_of.size() == seen) return;
-    for (const auto& [cell, difference] : result.difference_of) {
-      if (difference.run >= first_run) telling = InputsAfter(result.runs[difference.run], difference.steps);
-    }
-  };
-  // Where nothing can be set there is one run, and all that it takes is patience.
-  if (!quick && behind.empty() && request.round <= 1) run_both(HoldStimuli({}, kMostPatientRun, changed.times_ms));
-  if (request.waits_only && changed.times_ms.empty() && changed.counts == 0) return;
-  const auto first_run = static_cast<int>(request.round) * kHoldRuns;
-  for (int run = first_run; !quick && run < first_run + kHoldRuns && !behind.empty() && !late(); ++run) {
-    if (std::chrono::steady_clock::now() > begin + (end - begin) / 2) break;
-    const std::vector<prove::diff::SetCell>& set = machines.empty() || run % 4 == 3 ? behind : machines;
-    if (options.progress) options.progress("waiting run " + std::to_string(run + 1));
-    const bool near = !telling.empty() && run % 2 == 0;
-    run_and_learn(
-        HoldStimuli(near ? AlmostTheSame(random, telling) : RandomInputs(random, set, run), run, changed.times_ms));
-    if (options.progress) options.progress("counting run " + std::to_string(run + 1));
-    run_and_learn(PulseStimuli(random, set, run, pulses));
-  }
-  if (request.waits_only) return;
-  const std::vector<prove::diff::SetCell> of_the_machine = InputsOfTheMachine(old_version, inputs);
-  const std::vector<prove::diff::SetCell>& all_of_the_machine = of_the_machine.empty() ? inputs : of_the_machine;
-  for (int run = 0; run < (quick ? kQuickRuns : kMostRuns) && !late(); ++run) {
-    if (options.progress) options.progress("random run " + std::to_string(run + 1));
-    // In a large program waiting costs much: the first runs show what differs without.
-    const Waits waits = quick && run < kQuickRuns / 2 ? Waits::kNone : Waits::kSome;
-    run_both(MakeStimuli(random, run % 3 == 2 ? inputs : all_of_the_machine, run, waits, has_fast));
-  }
+  const bool is_quick = request.effort == prove::diff::Effort::kQuick;
+  if (!is_quick && request.cells.size() > kMostSought) return;  // what a change induces that reaches everything
+  RandomSearch search(old_side, new_side, request, options, result);
+  if (!is_quick) search.RunWaiting();
+  if (!request.waits_only) search.RunRandom();
 }
 
 }  // namespace plcxx::review::diff

@@ -18,15 +18,15 @@ uint64_t AnyValue(const RhythmInputs& inputs, size_t bits, terms::Random& random
   return inputs.constants[(random.Next() >> 20) % inputs.constants.size()];
 }
 
-void Set(const std::vector<execute::CellId>& word, uint64_t value, uint64_t period, RhythmPlan& plan) {
+void Set(const std::vector<execute::CellId>& word, uint64_t value, uint64_t period, RunPlan& plan) {
   for (size_t bit = 0; bit < word.size(); ++bit)
     plan.events.push_back({static_cast<uint32_t>(period), word[bit], bit < 64 && (value >> bit & 1) != 0});
 }
 
 }  // namespace
 
-RhythmPlan MakeRhythm(const RhythmInputs& inputs, uint64_t passes, terms::Random& random) {
-  RhythmPlan plan;
+RunPlan MakeRhythm(const RhythmInputs& inputs, uint64_t passes, terms::Random& random) {
+  RunPlan plan;
   plan.periods = static_cast<uint32_t>(passes * inputs.pass_periods);
   std::vector<uint64_t> held;
   for (const std::vector<execute::CellId>& word : inputs.words) {

@@ -8,15 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "transpiler/review/properties/runs.h"
+#include "transpiler/review/properties/run_plan.h"
 #include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::review::properties {
-
-struct RhythmPlan {
-  std::vector<RunEvent> events;  // ascending by period
-  uint32_t periods = 0;
-};
 
 struct RhythmInputs {
   std::vector<std::vector<execute::CellId>> words;  // each from its lowest bit
@@ -25,6 +20,6 @@ struct RhythmInputs {
 };
 
 /// `passes`: about how long.
-RhythmPlan MakeRhythm(const RhythmInputs& inputs, uint64_t passes, terms::Random& random);
+RunPlan MakeRhythm(const RhythmInputs& inputs, uint64_t passes, terms::Random& random);
 
 }  // namespace plcxx::review::properties

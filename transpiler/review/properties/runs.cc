@@ -1,37 +1,23 @@
 #include "transpiler/review/properties/runs.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 
-#include "transpiler/ir/constants.h"
 #include "transpiler/prove/machine/answers.h"
 #include "transpiler/prove/machine/requests.h"
-#include "transpiler/review/properties/rhythm.h"
 #include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/plan.h"
 #include "transpiler/scenarios/property_monitor.h"
 #include "transpiler/sim/clock.h"
 #include "transpiler/sim/simulator.h"
-#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::review::properties {
 namespace {
 
 using execute::CellId;
-using terms::Random;
 
-constexpr uint32_t kRunPeriods = 20'000;  // of one run
-constexpr uint32_t kRandomPeriods = 200;
-/// Of runs at a steady pace, shorter ones first; no more periods than this.
-constexpr uint64_t kRhythmPasses[] = {100, 400, 100, 1600};
-constexpr uint32_t kRhythmPeriods = 60'000;
-constexpr int kFirstRhythms = 160;
-constexpr int kShortHoldRuns = 96, kLongHoldRuns = 24, kRandomRuns = 24, kDisturbedPeriods = 6;
-/// Waiting after all has been set: a run looks at every period, so that the shortest wait is found.
-constexpr uint32_t kShortHoldPeriods = 300, kHoldMs = 30'000;
+constexpr int kFirstRhythms = 160, kRandomRuns = 24;
 /// What one scan does without the machine it does after a while with it.
 constexpr uint32_t kStretches[] = {1, 10, 100};
 /// In slices the plant sees an output some slices later or sooner than at the end of a pass.
@@ -39,17 +25,6 @@ constexpr uint32_t kSlicedPasses = 2;
 /// The answer is there; a short one is read more easily.
 constexpr std::chrono::seconds kShorteningTime{2};
 constexpr uint32_t kMostTriedCuts = 40;
-
-std::vector<uint64_t> ConstantsOf(const ir::Program& program) {
-  std::set<uint64_t> constants;
-  ir::ForEachNumber(program, [&constants](uint64_t number) { constants.insert(number); });
-  return {constants.begin(), constants.end()};
-}
-
-uint32_t PeriodsOfMs(const scenarios::ProveMachine& machine, uint64_t ms) {
-  const uint32_t period_ms = std::max(1U, machine.timing.period_ms);
-  return static_cast<uint32_t>(std::clamp<uint64_t>((ms + period_ms - 1) / period_ms, 1, kRunPeriods));
-}
 
 /// The program in the simulator, with the dialect's simulated control around it, watched period by period.
 class Watched {
@@ -233,99 +208,19 @@ std::optional<PropertyRuns::Plan> PropertyRuns::FindPlan(const prove::properties
     if (violates(plan)) return plan;
   }
   if (search.only_similar) return std::nullopt;
-  std::vector<CellId> inputs, of_machine;  // nearest first
-  for (const CellId cell : search.inputs) {
-    if (!can_be_set_[cell.index]) continue;
-    inputs.push_back(cell);
-    if (prove::machine::DirectionOf(machine_.version, cell) == ir::Direction::kInput) of_machine.push_back(cell);
-  }
-  std::vector<CellId> requests;
-  for (const CellId cell : search.requests) {
-    if (can_be_set_[cell.index]) requests.push_back(cell);
-  }
-  // In every other run the control does what it is asked for, after a while or at once.
-  const auto add_done_requests = [&](Random& chosen, int run, Plan& plan) {
-    if (requests.empty() || run % 2 == 0) return;
-    const uint64_t pause = uint64_t{1} << chosen.Next() % 6;
-    for (uint32_t period = 2; period <= plan.periods; period += static_cast<uint32_t>(1 + chosen.Next() % pause)) {
-      for (const CellId cell : requests) plan.events.push_back({period, cell, false});
-    }
-    std::ranges::stable_sort(plan.events, {}, &RunEvent::period);
-  };
   // Not the same runs each time.
-  Random random(0x9E3779B97F4A7C15 + searches_);
-  RhythmInputs rhythm{.words = {}, .constants = {}, .pass_periods = std::max(1U, machine_.timing.slow_periods)};
-  for (const CellId cell : inputs) {
-    const auto is_known = [cell](const std::vector<CellId>& word) {
-      return std::ranges::find(word, cell) != word.end();
-    };
-    if (std::ranges::any_of(rhythm.words, is_known)) continue;
-    std::vector<CellId> word = scenarios::WordsOf(machine_, {cell}).front().cells;
-    const auto is_settable = [this](CellId bit) { return bool{can_be_set_[bit.index]}; };
-    if (!std::ranges::all_of(word, is_settable)) word = {cell};
-    rhythm.words.push_back(std::move(word));
-  }
-  rhythm.constants = ConstantsOf(machine_.compilation.program);
-  const auto steady_plan = [&](int run) {
-    const uint64_t passes = std::min<uint64_t>(kRhythmPasses[static_cast<size_t>(run) % std::size(kRhythmPasses)],
-                                               kRhythmPeriods / rhythm.pass_periods);
-    RhythmPlan steady = MakeRhythm(rhythm, passes, random);
-    Plan plan{.events = std::move(steady.events), .periods = steady.periods};
-    add_done_requests(random, run, plan);
-    return plan;
-  };
-  const uint32_t hold = std::min(kRunPeriods, PeriodsOfMs(machine_, kHoldMs));
+  RunPlans plans(machine_, search, can_be_set_, known_, 0x9E3779B97F4A7C15 + searches_);
   for (int run = 0; run < kShortHoldRuns + kLongHoldRuns && !Late(); ++run) {
-    const bool is_short = run < kShortHoldRuns;
     // Long waits take longer than all of these.
     for (int steady = 0; run == kShortHoldRuns && steady < kFirstRhythms && !Late(); ++steady) {
-      Plan plan = steady_plan(steady);
+      Plan plan = plans.AtSteadyPace(steady);
       if (violates(plan)) return plan;
     }
-    Plan plan{.events = {}, .periods = is_short ? std::min(hold, kShortHoldPeriods) : hold};
-    // Settings that the host might change say little about most machines.
-    for (const CellId cell : is_short ? of_machine : inputs) {
-      // First all at once.
-      const bool value = run == 0 || run == kShortHoldRuns || (random.Next() >> 7 & 1) != 0;
-      if (value) plan.events.push_back({1, cell, true});
-    }
-    add_done_requests(random, run, plan);
+    Plan plan = plans.Holding(run);
     if (violates(plan)) return plan;
   }
   for (int run = 0; (run < kRandomRuns || search.thorough) && !Late(); ++run) {
-    if (run % 3 != 0) {
-      Plan plan = steady_plan(run / 3 * 2 + run % 3);
-      if (violates(plan)) return plan;
-      continue;
-    }
-    // Inputs change seldom in some runs and often in others.
-    const uint64_t one_in = uint64_t{2} << (run % 6), density = 1 + static_cast<uint64_t>(run) % 3;
-    Plan plan{.events = {}, .periods = kRandomPeriods};
-    if (!known_.empty() && run % 2 == 1) {
-      // The machine at work, and then something unexpected.
-      plan = known_[random.Next() % known_.size()];
-      plan.periods = static_cast<uint32_t>(1 + random.Next() % plan.periods);
-      std::erase_if(plan.events, [&plan](const RunEvent& event) { return event.period > plan.periods; });
-      for (int i = 0; i < kDisturbedPeriods && !inputs.empty(); ++i) {
-        ++plan.periods;
-        for (uint64_t changes = 1 + random.Next() % 3; changes > 0; --changes)
-          plan.events.push_back({plan.periods, inputs[random.Next() % inputs.size()], (random.Next() >> 7 & 1) != 0});
-        if (random.OneIn(3)) plan.periods += static_cast<uint32_t>(random.Next() % kRandomPeriods);
-      }
-    } else {
-      for (uint32_t period = 1; period <= plan.periods; ++period) {
-        for (const CellId cell : run % 4 == 0 ? of_machine : inputs) {
-          if (period == 1 || random.OneIn(one_in)) plan.events.push_back({period, cell, random.Next() % 4 < density});
-        }
-        if (random.OneIn(8)) {
-          const auto wait = static_cast<uint32_t>(random.Next() % kRandomPeriods);
-          period += wait;
-          plan.periods = std::min(kRunPeriods, plan.periods + wait);
-        }
-      }
-    }
-    // Not the same runs in which the known ones are disturbed.
-    add_done_requests(random, run / 2, plan);
+    Plan plan = run % 3 != 0 ? plans.AtSteadyPace(run / 3 * 2 + run % 3) : plans.AtRandom(run);
     if (violates(plan)) return plan;
   }
   return std::nullopt;

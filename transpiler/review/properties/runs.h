@@ -13,18 +13,12 @@
 #include <vector>
 
 #include "transpiler/prove/properties/check.h"
+#include "transpiler/review/properties/run_plans.h"
 #include "transpiler/scenarios/bound_plant.h"
 #include "transpiler/scenarios/known_runs.h"
 #include "transpiler/scenarios/property_machine.h"
 
 namespace plcxx::review::properties {
-
-/// Inputs as they are set before a period, requests as they are taken back.
-struct RunEvent {
-  uint32_t period = 0;  // from 1
-  execute::CellId cell;
-  bool value = false;
-};
 
 class PropertyRuns {
  public:
@@ -39,11 +33,8 @@ class PropertyRuns {
   std::optional<prove::properties::PropertyRun> Find(const prove::properties::RunSearch& search);
 
  private:
-  using Events = std::vector<RunEvent>;  // ascending by period
-  struct Plan {
-    Events events;
-    uint32_t periods = 0;
-  };
+  using Plan = RunPlan;
+  using Events = std::vector<RunEvent>;
 
   void AddPlanOf(const std::vector<scenarios::KnownStep>& steps);
   /// What the run sets, with `stretch` periods for each of its own, and a wait at the end.
