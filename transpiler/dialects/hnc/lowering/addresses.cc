@@ -142,6 +142,45 @@ Address Addresses::RefusedPointer(const Expr& expr, std::string_view why) {
   return refused;
 }
 
+/// What a variable or a table has; none: no pointer is kept there.
+std::optional<Address> Addresses::LoadedPointer(const Expr& load) {
+  const Expr& source = ExprAt(load.a);
+  if (source.kind == ExprKind::kVariable) {
+    accesses_.CheckAssigned(source.variable, load.a);
+    return pointers_.PointerIn(source.variable);
+  }
+  if (source.kind != ExprKind::kIndex || ExprAt(source.a).kind != ExprKind::kVariable) return std::nullopt;
+  const VariableId table = ExprAt(source.a).variable;
+  if (unit_.variables[table].view) return TableElement(load);
+  // A table of string literals: its elements are the numbers of the strings.
+  Address address;
+  address.targets = facts_.TargetsOf(table);
+  address.reported = address.targets.objects.empty() && diagnostics_.HasErrors();  // no table of literals
+  if (address.reported) return address;
+  const Lvalue element = EvaluateLvalue(load.a);
+  address.object = accesses_.LoadAt(element.address, ir::Type::kI16, load.a);
+  return address;
+}
+
+/// An increment or a compound assignment of a variable.
+Address Addresses::MovedPointer(const Expr& expr) {
+  const Expr& target = ExprAt(expr.a);
+  const bool increments = expr.kind == ExprKind::kIncrement;
+  accesses_.CheckAssigned(target.variable, expr.a);
+  const Value step = increments ? conversions_.Number(1, int_) : expressions_.Evaluate(expr.b);
+  const Address before = pointers_.PointerIn(target.variable);
+  const bool down = increments
+                        ? expr.increment == IncrementOp::kPreDecrement || expr.increment == IncrementOp::kPostDecrement
+                        : expr.binary == BinaryOp::kPointerSubtract || expr.binary == BinaryOp::kSubtract;
+  // In bytes, as the variable keeps it.
+  Address after = before;
+  pointers_.AddIndex(after, step, TypeAt(TypeAt(expr.type).element).size, down ? -1 : 1);
+  pointers_.StorePointer(target.variable, after);
+  const bool post =  // which an assignment is not
+      expr.increment == IncrementOp::kPostIncrement || expr.increment == IncrementOp::kPostDecrement;
+  return post ? before : after;
+}
+
 Address Addresses::EvaluatePointer(ExprId id) {
   const Expr& expr = ExprAt(id);
   switch (expr.kind) {
@@ -176,24 +215,9 @@ Address Addresses::EvaluatePointer(ExprId id) {
       const CallResult result = calls_.Call(id);
       return result.address ? *result.address : Address{};
     }
-    case ExprKind::kLoad: {
-      const Expr& source = ExprAt(expr.a);
-      if (source.kind == ExprKind::kVariable) {
-        accesses_.CheckAssigned(source.variable, expr.a);
-        return pointers_.PointerIn(source.variable);
-      }
-      if (source.kind != ExprKind::kIndex || ExprAt(source.a).kind != ExprKind::kVariable) break;
-      const VariableId table = ExprAt(source.a).variable;
-      if (unit_.variables[table].view) return TableElement(expr);
-      // A table of string literals: its elements are the numbers of the strings.
-      Address address;
-      address.targets = facts_.TargetsOf(table);
-      address.reported = address.targets.objects.empty() && diagnostics_.HasErrors();  // no table of literals
-      if (address.reported) return address;
-      Lvalue element = EvaluateLvalue(expr.a);
-      address.object = accesses_.LoadAt(element.address, ir::Type::kI16, expr.a);
-      return address;
-    }
+    case ExprKind::kLoad:
+      if (const std::optional<Address> loaded = LoadedPointer(expr)) return *loaded;
+      break;
     case ExprKind::kAssign: {
       const Expr& target = ExprAt(expr.a);
       const Address value = EvaluatePointer(expr.b);
@@ -202,27 +226,9 @@ Address Addresses::EvaluatePointer(ExprId id) {
       return pointers_.PointerIn(target.variable);
     }
     case ExprKind::kCompoundAssign:
-    case ExprKind::kIncrement: {
-      const Expr& target = ExprAt(expr.a);
-      if (target.kind != ExprKind::kVariable) break;
-      const bool increments = expr.kind == ExprKind::kIncrement;
-      accesses_.CheckAssigned(target.variable, expr.a);
-      const Value step = increments ? conversions_.Number(1, int_) : expressions_.Evaluate(expr.b);
-      const Address before = pointers_.PointerIn(target.variable);
-      Address after = before;
-      const bool down =
-          increments ? expr.increment == IncrementOp::kPreDecrement || expr.increment == IncrementOp::kPostDecrement
-                     : expr.binary == BinaryOp::kPointerSubtract || expr.binary == BinaryOp::kSubtract;
-      const uint32_t size = TypeAt(TypeAt(expr.type).element).size;
-      // In bytes, as the variable keeps it.
-      Address moved = after;
-      pointers_.AddIndex(moved, step, size, down ? -1 : 1);
-      after = moved;
-      pointers_.StorePointer(target.variable, after);
-      const bool post =  // which an assignment is not
-          expr.increment == IncrementOp::kPostIncrement || expr.increment == IncrementOp::kPostDecrement;
-      return post ? before : after;
-    }
+    case ExprKind::kIncrement:
+      if (ExprAt(expr.a).kind == ExprKind::kVariable) return MovedPointer(expr);
+      break;
     case ExprKind::kPoison:
     case ExprKind::kConstant:
     case ExprKind::kString:

@@ -1,6 +1,8 @@
 // Lvalues, pointers and structures of the tree (specification 5.3, 6.5): which object, which byte of it.
 #pragma once
 
+#include <optional>
+
 #include "transpiler/dialects/hnc/lowering/context.h"
 
 namespace plcxx::hnc {
@@ -39,6 +41,8 @@ class Addresses : Context {
   bool IsPointerToPointer(const Expr& expr) const;
   Address RefusedPointer(const Expr& expr, std::string_view why);
   Address TableElement(const Expr& load);
+  std::optional<Address> LoadedPointer(const Expr& load);
+  Address MovedPointer(const Expr& expr);
   Address ConditionalAddress(const Expr& expr, Address (Addresses::*evaluate)(ExprId));
 
   Locals& locals_;

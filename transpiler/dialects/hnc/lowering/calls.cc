@@ -22,13 +22,13 @@ CallResult Calls::Call(ExprId id) {
   return CallFunction(expr);
 }
 
-CallResult Calls::CallFunction(const Expr& expr) {
+Calls::Arguments Calls::EvaluateArguments(const Expr& expr) {
   const Function& callee = unit_.functions[expr.function];
-  const bool callable = callee.is_defined && placement_.routines[expr.function.index].valid();
-  std::vector<Value> numbers(expr.arguments.size());
-  std::vector<Address> addresses(expr.arguments.size());
-  std::vector<std::vector<ValueId>> records(expr.arguments.size());  // those that what is evaluated later may change
-  for (size_t i = expr.arguments.size(); i-- > 0;) {
+  const size_t count = expr.arguments.size();
+  Arguments arguments{.numbers = std::vector<Value>(count),
+                      .addresses = std::vector<Address>(count),
+                      .records = std::vector<std::vector<ValueId>>(count)};
+  for (size_t i = count; i-- > 0;) {
     if (i >= callee.parameters.size()) {
       expressions_.Execute(expr.arguments[i]);
       continue;
@@ -36,13 +36,13 @@ CallResult Calls::CallFunction(const Expr& expr) {
     const TypeId type = unit_.variables[callee.parameters[i]].type;
     switch (TypeAt(type).kind) {
       case TypeKind::kPointer:
-        addresses[i] = addresses_.EvaluatePointer(expr.arguments[i]);
+        arguments.addresses[i] = addresses_.EvaluatePointer(expr.arguments[i]);
         break;
       case TypeKind::kRecord:
-        addresses[i] = addresses_.RecordAddress(expr.arguments[i]);
+        arguments.addresses[i] = addresses_.RecordAddress(expr.arguments[i]);
         if (std::any_of(expr.arguments.begin(), expr.arguments.begin() + i,
                         [this](ExprId later) { return HasEffects(later); })) {
-          records[i] = records_.Load(addresses[i], type);
+          arguments.records[i] = records_.Load(arguments.addresses[i], type);
         }
         break;
       case TypeKind::kVoid:
@@ -50,27 +50,31 @@ CallResult Calls::CallFunction(const Expr& expr) {
       case TypeKind::kReal:
       case TypeKind::kArray:
       case TypeKind::kFunction:
-        numbers[i] = conversions_.Convert(expressions_.Evaluate(expr.arguments[i]), type);
+        arguments.numbers[i] = conversions_.Convert(expressions_.Evaluate(expr.arguments[i]), type);
         break;
     }
   }
-  if (!callable || expr.arguments.size() != callee.parameters.size()) return {};
-  std::vector<ValueId> arguments;
+  return arguments;
+}
+
+std::vector<ValueId> Calls::Pass(const Function& callee, const Arguments& arguments) {
+  std::vector<ValueId> passed;
   for (size_t i = 0; i < callee.parameters.size(); ++i) {
     const VariableId parameter = callee.parameters[i];
     const TypeId type = unit_.variables[parameter].type;
+    const Address& address = arguments.addresses[i];
     switch (TypeAt(type).kind) {
       case TypeKind::kPointer:
-        arguments.push_back(pointers_.OffsetOf(addresses[i]));
-        if (placement_.pointers[parameter.index].object.valid()) arguments.push_back(pointers_.ObjectOf(addresses[i]));
+        passed.push_back(pointers_.OffsetOf(address));
+        if (placement_.pointers[parameter.index].object.valid()) passed.push_back(pointers_.ObjectOf(address));
         break;
       case TypeKind::kRecord: {
         Address to;
         to.targets.Add(objects_.OfVariable(parameter));
-        if (records[i].empty()) {
-          records_.Assign(to, addresses[i], type);
+        if (arguments.records[i].empty()) {
+          records_.Assign(to, address, type);
         } else {
-          records_.Store(to, records[i], type);
+          records_.Store(to, arguments.records[i], type);
         }
         break;
       }
@@ -79,33 +83,35 @@ CallResult Calls::CallFunction(const Expr& expr) {
       case TypeKind::kReal:
       case TypeKind::kArray:
       case TypeKind::kFunction:
-        arguments.push_back(numbers[i].id);
+        passed.push_back(arguments.numbers[i].id);
         break;
     }
   }
-  const ValueId called = builder_.CallRoutine(placement_.routines[expr.function.index], std::move(arguments));
-  intervals_.ForgetAfterCall(expr);
+  return passed;
+}
+
+CallResult Calls::ResultOf(FunctionId function, ValueId called) {
+  const TypeId type = unit_.functions[function].result;
   CallResult result;
-  switch (TypeAt(callee.result).kind) {
+  switch (TypeAt(type).kind) {
     case TypeKind::kInteger:
-    case TypeKind::kReal: {
-      result.value = conversions_.Make(called, callee.result);
-      if (const std::optional<Bounds> bounds = intervals_.ResultOf(expr.function)) result.value->bounds = *bounds;
+    case TypeKind::kReal:
+      result.value = conversions_.Make(called, type);
+      if (const std::optional<Bounds> bounds = intervals_.ResultOf(function)) result.value->bounds = *bounds;
       break;
-    }
     case TypeKind::kPointer: {
       Address address;
-      address.targets = facts_.ResultTargets(expr.function);
+      address.targets = facts_.ResultTargets(function);
       address.index = called;
       address.index_bounds = {-0x80000000LL, 0x7FFFFFFF};
-      const PointerPlaces& places = placement_.results[expr.function.index];
+      const PointerPlaces& places = placement_.results[function.index];
       if (places.object.valid()) address.object = builder_.Load(places.object);
       result.address = address;
       break;
     }
     case TypeKind::kRecord: {
       Address address;
-      address.targets.Add(objects_.OfResult(expr.function));
+      address.targets.Add(objects_.OfResult(function));
       result.address = address;
       break;
     }
@@ -115,6 +121,17 @@ CallResult Calls::CallFunction(const Expr& expr) {
       break;
   }
   return result;
+}
+
+CallResult Calls::CallFunction(const Expr& expr) {
+  const Function& callee = unit_.functions[expr.function];
+  const bool callable = callee.is_defined && placement_.routines[expr.function.index].valid();
+  const Arguments arguments = EvaluateArguments(expr);
+  if (!callable || expr.arguments.size() != callee.parameters.size()) return {};
+  std::vector<ValueId> passed = Pass(callee, arguments);
+  const ValueId called = builder_.CallRoutine(placement_.routines[expr.function.index], std::move(passed));
+  intervals_.ForgetAfterCall(expr);
+  return ResultOf(expr.function, called);
 }
 
 }  // namespace plcxx::hnc

@@ -1,6 +1,8 @@
 // Calls of the program's own functions (specification 6.4): arguments from right to left, structures by copies.
 #pragma once
 
+#include <vector>
+
 #include "transpiler/dialects/hnc/lowering/context.h"
 
 namespace plcxx::hnc {
@@ -29,6 +31,18 @@ class Calls : Context {
   CallResult Call(ExprId id);
 
  private:
+  /// By parameter: one of the three, as its type is.
+  struct Arguments {
+    std::vector<Value> numbers;
+    std::vector<Address> addresses;
+    std::vector<std::vector<ir::ValueId>> records;  // those that what is evaluated later may change; else empty
+  };
+  /// From the last to the first; what the function has no parameter for is executed.
+  Arguments EvaluateArguments(const Expr& expr);
+  /// Copies structures to the parameters, and gives the other arguments as the routine takes them.
+  std::vector<ir::ValueId> Pass(const Function& callee, const Arguments& arguments);
+  /// `called`: what its routine gives.
+  CallResult ResultOf(FunctionId function, ir::ValueId called);
   CallResult CallFunction(const Expr& expr);
 
   Intervals& intervals_;

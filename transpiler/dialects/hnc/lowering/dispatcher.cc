@@ -1,5 +1,6 @@
 #include "transpiler/dialects/hnc/lowering/dispatcher.h"
 
+#include <iterator>
 #include <utility>
 
 #include "transpiler/dialects/hnc/lowering/handlers.h"
@@ -108,93 +109,122 @@ void Dispatcher::AddRoutines() {
   Complete(channel);
 }
 
-void Dispatcher::Dispatch(ir::PlaceId channel) {
-  const auto index = [&] { return builder_.Load(channel); };
-  const ir::PlaceId modal = ChannelByte(modal_[0], "modal");
-  builder_.When(Pure(OpKind::kNotEqual8, {builder_.Load(modal, index()), builder_.Constant(ir::Type::kI8, 0)}), [&] {
-    Put(modal, 0, channel);
-    handlers_.Call(4, channel, {});
+Dispatcher::Kind Dispatcher::KindOf(uint32_t number) {
+  const KindRow& row = kRows[number];
+  Kind kind{.number = number, .state = StateOf(number)};
+  kind.code = ChannelWord(Area::kF, row.code_word, row.code_name);
+  kind.mod = ChannelWord(Area::kG, row.mod_word, row.mod_name);
+  if (settings_.handler_calls == HandlerCallsOption::kOnce)
+    kind.called = ChannelByte(called_[0][number], "called_" + std::string(1, kHandlerKinds[number]));
+  return kind;
+}
+
+ValueId Dispatcher::Masked(const Channel& channel, ir::PlaceId word, uint16_t mask) {
+  return Pure(OpKind::kAnd16, {builder_.Load(word, builder_.Load(channel.index)), Mask(mask)});
+}
+
+ValueId Dispatcher::Has(const Channel& channel, ir::PlaceId word, uint16_t mask) {
+  return Pure(OpKind::kNotEqual16, {Masked(channel, word, mask), Word(0)});
+}
+
+ValueId Dispatcher::Lacks(const Channel& channel, ir::PlaceId word, uint16_t mask) {
+  return Pure(OpKind::kEqual16, {Masked(channel, word, mask), Word(0)});
+}
+
+void Dispatcher::GiveUp(const Channel& channel, const Kind& kind) {
+  const ValueId at = builder_.Load(channel.index);
+  const ValueId minus_one = Pure(OpKind::kMinus16, {Word(1)});
+  builder_.Store(kind.mod, minus_one, at);
+}
+
+void Dispatcher::WhenIn(const Channel& channel, const Kind& kind, uint8_t state,
+                        const std::function<ValueId()>& condition, const std::function<void()>& body) {
+  const ValueId is_state = Pure(OpKind::kEqual8, {builder_.Load(kind.state, builder_.Load(channel.index)),
+                                                  builder_.Constant(ir::Type::kI8, state)});
+  builder_.When(is_state, [&] { builder_.When(condition(), body); });
+}
+
+void Dispatcher::Begin(const Channel& channel, const Kind& kind) {
+  const KindRow& row = kRows[kind.number];
+  const auto index = [&] { return builder_.Load(channel.index); };
+  const auto requested = [&] {
+    const ValueId not_cancelled = Lacks(channel, channel.strobes, kCancel);
+    const ValueId asked = Has(channel, channel.strobes, row.strobe);
+    return Pure(OpKind::kBitAnd, {asked, not_cancelled});
+  };
+  WhenIn(channel, kind, kIdle, requested, [&] {
+    const ValueId at = index();
+    const ValueId asked = builder_.Load(kind.code, index());
+    builder_.Store(kind.mod, asked, at);
+    ChangeBits(channel.flags, OpKind::kOr16, row.busy, channel.index);
+    Put(kind.state, kActive, channel.index);
+    if (kind.called.valid()) Put(kind.called, 0, channel.index);
+    if (kHandlerKinds[kind.number] != 'M' || settings_.m00_flags == M00FlagsOption::kOff) return;
+    const auto when_code = [&](uint16_t code, uint16_t flag) {
+      builder_.When(Pure(OpKind::kEqual16, {builder_.Load(kind.code, index()), Word(code)}),
+                    [&] { ChangeBits(channel.flags, OpKind::kOr16, flag, channel.index); });
+    };
+    when_code(0, kM00);
+    when_code(1, kM01);
   });
-  const ir::PlaceId strobes = ChannelWord(Area::kF, kStrobeWord, "mst_strobes");
-  const ir::PlaceId acks = ChannelWord(Area::kG, kAckWord, "mst_acks"),
-                    flags = ChannelWord(Area::kG, kFlagsWord, "mst_flags");
-  const auto has = [&](ir::PlaceId place, uint16_t mask) {
-    return Pure(OpKind::kNotEqual16, {Pure(OpKind::kAnd16, {builder_.Load(place, index()), Mask(mask)}), Word(0)});
+}
+
+void Dispatcher::Withdraw(const Channel& channel, const Kind& kind) {
+  const KindRow& row = kRows[kind.number];
+  const auto withdrawn = [&] {
+    return Pure(OpKind::kBitOr, {Lacks(channel, channel.strobes, row.strobe), Has(channel, channel.strobes, kCancel)});
   };
-  const auto lacks = [&](ir::PlaceId place, uint16_t mask) {
-    return Pure(OpKind::kEqual16, {Pure(OpKind::kAnd16, {builder_.Load(place, index()), Mask(mask)}), Word(0)});
+  WhenIn(channel, kind, kActive, withdrawn, [&] {
+    GiveUp(channel, kind);
+    ChangeBits(channel.flags, OpKind::kAnd16, ~uint32_t{row.busy}, channel.index);
+    Put(kind.state, kDone, channel.index);
+  });
+}
+
+void Dispatcher::Continue(const Channel& channel, const Kind& kind) {
+  const auto goes_on = [&] {
+    const ValueId may_hold = Lacks(channel, channel.flags, kRows[kind.number].hold_disabled);
+    const ValueId held = Has(channel, channel.strobes, kHold);
+    return Pure(OpKind::kBitNot, {Pure(OpKind::kBitAnd, {held, may_hold})});
   };
-  const auto set = [&](ir::PlaceId word, uint16_t mask) { ChangeBits(word, OpKind::kOr16, mask, channel); };
-  const auto clear = [&](ir::PlaceId word, uint16_t mask) {
-    ChangeBits(word, OpKind::kAnd16, ~uint32_t{mask}, channel);
-  };
-  const auto both = [&](ValueId a, ValueId b) { return Pure(OpKind::kBitAnd, {a, b}); };
-  for (uint32_t k = 0; k < 4; ++k) {
-    const KindRow& row = kRows[k];
-    const std::string letter(1, kHandlerKinds[k]);
-    const ir::PlaceId state = StateOf(k);
-    const ir::PlaceId code = ChannelWord(Area::kF, row.code_word, row.code_name);
-    const ir::PlaceId mod = ChannelWord(Area::kG, row.mod_word, row.mod_name);
-    const bool once = settings_.handler_calls == HandlerCallsOption::kOnce;
-    const ir::PlaceId called = once ? ChannelByte(called_[0][k], "called_" + letter) : ir::PlaceId();
-    const auto is = [&](uint8_t value) {
-      return Pure(OpKind::kEqual8, {builder_.Load(state, index()), builder_.Constant(ir::Type::kI8, value)});
-    };
-    const auto become = [&](uint8_t value) { Put(state, value, channel); };
-    const auto give_up = [&] {
-      const ValueId at = index();
-      const ValueId minus_one = Pure(OpKind::kMinus16, {Word(1)});
-      builder_.Store(mod, minus_one, at);
-    };
-    // The state is asked alone and first: in most cycles there is no request, and a look at it is all that happens.
-    const auto when = [&](uint8_t value, const std::function<ValueId()>& condition, const std::function<void()>& body) {
-      builder_.When(is(value), [&] { builder_.When(condition(), body); });
-    };
-    const auto requested = [&] {
-      const ValueId not_cancelled = lacks(strobes, kCancel);
-      const ValueId asked = has(strobes, row.strobe);
-      return both(asked, not_cancelled);
-    };
-    when(kIdle, requested, [&] {
-      const ValueId at = index();
-      const ValueId asked = builder_.Load(code, index());
-      builder_.Store(mod, asked, at);
-      set(flags, row.busy);
-      become(kActive);
-      if (once) Put(called, 0, channel);
-      if (k != 0 || settings_.m00_flags == M00FlagsOption::kOff) return;
-      builder_.When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(0)}), [&] { set(flags, kM00); });
-      builder_.When(Pure(OpKind::kEqual16, {builder_.Load(code, index()), Word(1)}), [&] { set(flags, kM01); });
+  const auto call = [&] { handlers_.Call(kind.number, channel.index, [&] { GiveUp(channel, kind); }); };
+  WhenIn(channel, kind, kActive, goes_on, [&] {
+    if (!kind.called.valid()) return call();
+    const ValueId called = builder_.Load(kind.called, builder_.Load(channel.index));
+    builder_.When(Pure(OpKind::kEqual8, {called, builder_.Constant(ir::Type::kI8, 0)}), [&] {
+      Put(kind.called, 1, channel.index);
+      call();
     });
-    const auto withdrawn = [&] { return Pure(OpKind::kBitOr, {lacks(strobes, row.strobe), has(strobes, kCancel)}); };
-    when(kActive, withdrawn, [&] {
-      give_up();
-      clear(flags, row.busy);
-      become(kDone);
-    });
-    const auto goes_on = [&] {
-      const ValueId may_hold = lacks(flags, row.hold_disabled);
-      const ValueId held = has(strobes, kHold);
-      return Pure(OpKind::kBitNot, {both(held, may_hold)});
-    };
-    when(kActive, goes_on, [&] {
-      if (!once) {
-        handlers_.Call(k, channel, give_up);
-        return;
-      }
-      const ValueId first =
-          Pure(OpKind::kEqual8, {builder_.Load(called, index()), builder_.Constant(ir::Type::kI8, 0)});
-      builder_.When(first, [&] {
-        Put(called, 1, channel);
-        handlers_.Call(k, channel, give_up);
-      });
-    });
-    when(
-        kDone, [&] { return lacks(strobes, row.strobe); },
-        [&] {
-          clear(acks, row.ack);
-          become(kIdle);
-        });
+  });
+}
+
+void Dispatcher::End(const Channel& channel, const Kind& kind) {
+  const KindRow& row = kRows[kind.number];
+  const auto is_taken_back = [&] { return Lacks(channel, channel.strobes, row.strobe); };
+  WhenIn(channel, kind, kDone, is_taken_back, [&] {
+    ChangeBits(channel.acks, OpKind::kAnd16, ~uint32_t{row.ack}, channel.index);
+    Put(kind.state, kIdle, channel.index);
+  });
+}
+
+void Dispatcher::Dispatch(ir::PlaceId index) {
+  const ir::PlaceId modal = ChannelByte(modal_[0], "modal");
+  const ValueId is_asked =
+      Pure(OpKind::kNotEqual8, {builder_.Load(modal, builder_.Load(index)), builder_.Constant(ir::Type::kI8, 0)});
+  builder_.When(is_asked, [&] {
+    Put(modal, 0, index);
+    handlers_.Call(4, index, {});
+  });
+  Channel channel{.index = index};
+  channel.strobes = ChannelWord(Area::kF, kStrobeWord, "mst_strobes");
+  channel.acks = ChannelWord(Area::kG, kAckWord, "mst_acks");
+  channel.flags = ChannelWord(Area::kG, kFlagsWord, "mst_flags");
+  for (uint32_t number = 0; number < std::size(kRows); ++number) {
+    const Kind kind = KindOf(number);
+    Begin(channel, kind);
+    Withdraw(channel, kind);
+    Continue(channel, kind);
+    End(channel, kind);
   }
 }
 

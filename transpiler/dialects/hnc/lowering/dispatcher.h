@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <unordered_map>
 
@@ -31,7 +32,31 @@ class Dispatcher : Context {
   void ChangeBits(ir::PlaceId word, ir::OpKind op, uint32_t mask, ir::PlaceId channel);
   void Put(ir::PlaceId byte, uint8_t value, ir::PlaceId channel);
   ir::RoutineId AddChannelRoutine(const std::string& name, std::string comment, ir::PlaceId& channel);
-  void Dispatch(ir::PlaceId channel);
+
+  /// Where the words of the channel are that `index` has the number of.
+  struct Channel {
+    ir::PlaceId index, strobes, acks, flags;
+  };
+  /// One of M, S, T, B: what the channel has of it.
+  struct Kind {
+    uint32_t number = 0;
+    ir::PlaceId state, code, mod;
+    ir::PlaceId called;  // where its handler is called once for each request; else none
+  };
+  Kind KindOf(uint32_t number);
+  ir::ValueId Masked(const Channel& channel, ir::PlaceId word, uint16_t mask);
+  ir::ValueId Has(const Channel& channel, ir::PlaceId word, uint16_t mask);
+  ir::ValueId Lacks(const Channel& channel, ir::PlaceId word, uint16_t mask);
+  void GiveUp(const Channel& channel, const Kind& kind);
+  /// The state is asked alone and first: in most cycles there is no request, and asking for it is all that happens.
+  void WhenIn(const Channel& channel, const Kind& kind, uint8_t state, const std::function<ir::ValueId()>& condition,
+              const std::function<void()>& body);
+  /// What a request goes through: it is asked for, taken back before it is done, executed, and its end is acknowledged.
+  void Begin(const Channel& channel, const Kind& kind);
+  void Withdraw(const Channel& channel, const Kind& kind);
+  void Continue(const Channel& channel, const Kind& kind);
+  void End(const Channel& channel, const Kind& kind);
+  void Dispatch(ir::PlaceId index);
   void Complete(ir::PlaceId channel);
 
   Memory& memory_;

@@ -87,115 +87,153 @@ Address LibraryCalls::At(const Address& address, ValueId counter) {
   return moved;
 }
 
-CallResult LibraryCalls::MemoryFunction(const Expr& expr) {
-  const SystemFunction function = *unit_.functions[expr.function].system;
-  const bool compares = function == SystemFunction::kMemcmp, sets = function == SystemFunction::kMemset;
-  const ExprId own = {};
-  const ValueId wanted =
-      conversions_.AsIndex(conversions_.Convert(expressions_.Evaluate(expr.arguments[2]), unsigned_));
-  Address from;
-  ValueId byte;
-  if (sets) {
-    byte = conversions_.Narrow8(
+/// From the last argument to the first.
+LibraryCalls::MemoryOperands LibraryCalls::EvaluateOperands(const Expr& expr) {
+  MemoryOperands operands{.function = *unit_.functions[expr.function].system};
+  operands.wanted = conversions_.AsIndex(conversions_.Convert(expressions_.Evaluate(expr.arguments[2]), unsigned_));
+  if (operands.sets()) {
+    operands.byte = conversions_.Narrow8(
         conversions_.ConvertInteger(conversions_.Convert(expressions_.Evaluate(expr.arguments[1]), int_), int_).id);
   } else {
-    from = addresses_.EvaluatePointer(expr.arguments[1]);
+    operands.from = addresses_.EvaluatePointer(expr.arguments[1]);
   }
-  const Address to = addresses_.EvaluatePointer(expr.arguments[0]);
-  CallResult result;
-  result.address = to;
-  if (compares) result = {.value = conversions_.Zero(int_), .address = {}};
-  for (const Address* address : {&to, sets ? &to : &from}) {
-    if (!address->targets.objects.empty() && address->targets.objects.size() <= kMostTargets) continue;
-    const ExprId named = expr.arguments[address == &to ? 0 : 1];
+  operands.to = addresses_.EvaluatePointer(expr.arguments[0]);
+  return operands;
+}
+
+bool LibraryCalls::CheckTargets(const Expr& expr, const MemoryOperands& operands) {
+  const auto check = [&](const Address& address, ExprId named) {
+    if (!address.targets.objects.empty() && address.targets.objects.size() <= kMostTargets) return true;
     diagnostics_.Report(
         ExprAt(named).range, diag::HncPointerObject,
-        "'" + std::string(sources_.Text(ExprAt(named).range)) + "' " + std::string(Pointers::WhyRefused(*address)));
-    return result;
-  }
-  // Kept in locals: what follows has regions of its own.
-  const auto keep = [&](std::string name, ValueId value) {
-    const ir::PlaceId place = locals_.Add(std::move(name), program_[value].type);
-    builder_.Store(place, value);
-    return place;
+        "'" + std::string(sources_.Text(ExprAt(named).range)) + "' " + std::string(Pointers::WhyRefused(address)));
+    return false;
   };
+  return check(operands.to, expr.arguments[0]) && (operands.sets() || check(operands.from, expr.arguments[1]));
+}
+
+/// The length that is asked for, clipped to the objects (6.11); a fault where it is.
+ValueId LibraryCalls::ClippedLength(const MemoryOperands& operands) {
   const auto is_constant = [this](ValueId value) { return program_[value].op == OpKind::kConst; };
   const auto shorter = [&](ValueId a, ValueId b) {
     if (is_constant(a) && is_constant(b)) return program_[a].a <= program_[b].a ? a : b;
     return Pure(OpKind::kSelect32, {Pure(OpKind::kGreater32, {a, b}), b, a});
   };
-  ValueId length = shorter(wanted, RoomBehind(to));
-  if (!sets) length = shorter(length, RoomBehind(from));
+  const ValueId wanted = operands.wanted;
+  ValueId length = shorter(wanted, RoomBehind(operands.to));
+  if (!operands.sets()) length = shorter(length, RoomBehind(operands.from));
   if (is_constant(length) && is_constant(wanted)) {
     if (program_[length].a != program_[wanted].a) faults_.Record(Fault::kIndex);
   } else {
     faults_.RecordWhen(Pure(OpKind::kNotEqual32, {length, wanted}), Fault::kIndex);
   }
-  const ir::PlaceId count = keep("length", length), at = locals_.Add("at", ir::Type::kI32);
-  const auto kept = [&](const Address& address, std::string name) {
-    const ir::PlaceId offset = keep(std::move(name), pointers_.OffsetOf(address));
-    const ir::PlaceId object = address.object.valid() ? keep("object", address.object) : ir::PlaceId();
-    return [this, address, offset, object] {
-      Address again;
-      again.targets = address.targets;
-      again.index = builder_.Load(offset);
-      if (object.valid()) again.object = builder_.Load(object);
-      return again;
-    };
+  return length;
+}
+
+ir::PlaceId LibraryCalls::Keep(std::string name, ValueId value) {
+  const ir::PlaceId place = locals_.Add(std::move(name), program_[value].type);
+  builder_.Store(place, value);
+  return place;
+}
+
+std::function<Address()> LibraryCalls::KeepAddress(std::string name, const Address& address) {
+  const ir::PlaceId offset = Keep(std::move(name), pointers_.OffsetOf(address));
+  const ir::PlaceId object = address.object.valid() ? Keep("object", address.object) : ir::PlaceId();
+  return [this, targets = address.targets, offset, object] {
+    Address again;
+    again.targets = targets;
+    again.index = builder_.Load(offset);
+    if (object.valid()) again.object = builder_.Load(object);
+    return again;
   };
-  const auto target = kept(to, "to"), source = kept(sets ? to : from, "from");
-  const ir::PlaceId value = sets ? keep("byte", byte) : ir::PlaceId();
-  const ir::PlaceId difference = compares ? locals_.Add("difference", ir::Type::kI16) : ir::PlaceId();
-  if (compares) builder_.Store(difference, Word(0));
-  // memmove: from the end when the target lies after the source.
-  const bool moves = function == SystemFunction::kMemmove;
-  const ir::PlaceId backward = moves ? locals_.Add("backward", ir::Type::kBit) : ir::PlaceId();
-  if (moves)
-    builder_.Store(backward, Pure(OpKind::kGreater32, {pointers_.OffsetOf(target()), pointers_.OffsetOf(source())}));
-  builder_.Store(at, Long(0));
-  ir::Loop loop{.kind = ir::LoopBound::kProven,
-                .bound = 65535,
-                .budget = {},
-                .condition = builder_.NewRegion(),
-                .body = builder_.NewRegion(),
-                .step = builder_.NewRegion(),
-                .exhausted = {}};
-  const ir::RegionId behind = builder_.region();
-  builder_.SetRegion(loop.condition);
-  ValueId more = Pure(OpKind::kLess32, {builder_.Load(at), builder_.Load(count)});
-  if (compares) more = Pure(OpKind::kBitAnd, {more, Pure(OpKind::kEqual16, {builder_.Load(difference), Word(0)})});
-  builder_.SetRegion(loop.body);
-  const auto position = [&] {
-    const ValueId forward = builder_.Load(at);
-    if (!moves) return forward;
-    const ValueId last = Pure(OpKind::kSub32, {builder_.Load(count), Long(1)});
-    return Pure(OpKind::kSelect32, {builder_.Load(backward), Pure(OpKind::kSub32, {last, forward}), forward});
-  };
-  const auto at_position = [&](const auto& pointer) {
-    const ValueId counter = position();
+}
+
+LibraryCalls::KeptOperands LibraryCalls::KeepOperands(const MemoryOperands& operands) {
+  KeptOperands kept;
+  kept.count = Keep("length", ClippedLength(operands));
+  kept.at = locals_.Add("at", ir::Type::kI32);
+  kept.target = KeepAddress("to", operands.to);
+  kept.source = KeepAddress("from", operands.sets() ? operands.to : operands.from);
+  if (operands.sets()) kept.byte = Keep("byte", operands.byte);
+  if (operands.compares()) {
+    kept.difference = locals_.Add("difference", ir::Type::kI16);
+    builder_.Store(kept.difference, Word(0));
+  }
+  // From the end when the target lies after the source.
+  if (operands.moves()) {
+    kept.backward = locals_.Add("backward", ir::Type::kBit);
+    builder_.Store(kept.backward,
+                   Pure(OpKind::kGreater32, {pointers_.OffsetOf(kept.target()), pointers_.OffsetOf(kept.source())}));
+  }
+  return kept;
+}
+
+/// Which byte it is this time.
+ValueId LibraryCalls::Position(const KeptOperands& kept) {
+  const ValueId forward = builder_.Load(kept.at);
+  if (!kept.backward.valid()) return forward;
+  const ValueId last = Pure(OpKind::kSub32, {builder_.Load(kept.count), Long(1)});
+  return Pure(OpKind::kSelect32, {builder_.Load(kept.backward), Pure(OpKind::kSub32, {last, forward}), forward});
+}
+
+void LibraryCalls::DoOneByte(const KeptOperands& kept) {
+  const ExprId own = {};
+  const auto at_position = [&](const std::function<Address()>& pointer) {
+    const ValueId counter = Position(kept);
     return At(pointer(), counter);
   };
-  if (compares) {
-    const ValueId a = accesses_.LoadAt(at_position(target), ir::Type::kI8, own);
-    const ir::PlaceId first = keep("first", a);
-    const ValueId b = accesses_.LoadAt(at_position(source), ir::Type::kI8, own);
-    builder_.Store(difference, Pure(OpKind::kSub16, {Pure(OpKind::kWiden8To16, {builder_.Load(first)}),
-                                                     Pure(OpKind::kWiden8To16, {b})}));
+  if (kept.difference.valid()) {
+    const ValueId a = accesses_.LoadAt(at_position(kept.target), ir::Type::kI8, own);
+    const ir::PlaceId first = Keep("first", a);
+    const ValueId b = accesses_.LoadAt(at_position(kept.source), ir::Type::kI8, own);
+    builder_.Store(kept.difference, Pure(OpKind::kSub16, {Pure(OpKind::kWiden8To16, {builder_.Load(first)}),
+                                                          Pure(OpKind::kWiden8To16, {b})}));
   } else {
-    const ValueId moved = sets ? builder_.Load(value) : accesses_.LoadAt(at_position(source), ir::Type::kI8, own);
-    accesses_.StoreAt(at_position(target), ir::Type::kI8, moved, own);
+    const ValueId moved =
+        kept.byte.valid() ? builder_.Load(kept.byte) : accesses_.LoadAt(at_position(kept.source), ir::Type::kI8, own);
+    accesses_.StoreAt(at_position(kept.target), ir::Type::kI8, moved, own);
   }
+}
+
+void LibraryCalls::DoEachByte(const KeptOperands& kept) {
+  builder_.Store(kept.at, Long(0));
+  const ir::Loop loop{.kind = ir::LoopBound::kProven,
+                      .bound = 65535,
+                      .budget = {},
+                      .condition = builder_.NewRegion(),
+                      .body = builder_.NewRegion(),
+                      .step = builder_.NewRegion(),
+                      .exhausted = {}};
+  const ir::RegionId after = builder_.region();
+  builder_.SetRegion(loop.condition);
+  const ValueId more = Pure(OpKind::kLess32, {builder_.Load(kept.at), builder_.Load(kept.count)});
+  if (kept.difference.valid())
+    Pure(OpKind::kBitAnd, {more, Pure(OpKind::kEqual16, {builder_.Load(kept.difference), Word(0)})});
+  builder_.SetRegion(loop.body);
+  DoOneByte(kept);
   builder_.SetRegion(loop.step);
-  builder_.Store(at, Pure(OpKind::kAdd32, {builder_.Load(at), Long(1)}));
-  builder_.SetRegion(behind);
+  builder_.Store(kept.at, Pure(OpKind::kAdd32, {builder_.Load(kept.at), Long(1)}));
+  builder_.SetRegion(after);
   builder_.LoopWith(loop);
+}
+
+CallResult LibraryCalls::MemoryFunction(const Expr& expr) {
+  const MemoryOperands operands = EvaluateOperands(expr);
+  CallResult result;
+  result.address = operands.to;
+  if (operands.compares()) result = {.value = conversions_.Zero(int_), .address = {}};
+  if (!CheckTargets(expr, operands)) return result;
+  // Kept in locals: what follows has regions of its own.
+  const KeptOperands kept = KeepOperands(operands);
+  DoEachByte(kept);
   intervals_.ForgetAfterCall(expr);
-  if (compares) result.value = conversions_.Make(builder_.Load(difference), int_);
-  if (!compares) {
-    Address again = target();
-    again.index_bounds = {-0x80000000LL, 0x7FFFFFFF};
-    result.address = again;
+  if (operands.compares()) {
+    result.value = conversions_.Make(builder_.Load(kept.difference), int_);
+    return result;
   }
+  Address again = kept.target();
+  again.index_bounds = {-0x80000000LL, 0x7FFFFFFF};
+  result.address = again;
   return result;
 }
 

@@ -14,9 +14,8 @@
 
 namespace plcxx::hnc {
 
-namespace {
-
-struct Relation {
+/// A counter that is compared with a limit.
+struct CounterRelation {
   ExprId counter;  // the lvalue
   ExprId limit;    // none: 0
   BinaryOp op = BinaryOp::kNotEqual;
@@ -25,8 +24,16 @@ struct Relation {
   std::vector<Bounds> conversions;  // the types that it is converted to before it is compared
 };
 
+/// A side of the condition that has to hold for another iteration.
+struct Conjunct {
+  ExprId holds;
+  std::vector<ExprId> before;  // evaluated first: the left sides of commas
+};
+
+namespace {
+
 /// The lvalue of the counter on one side of a comparison, and how the condition changes it.
-bool FindCounter(const Unit& unit, ExprId side, Relation& relation) {
+bool FindCounter(const Unit& unit, ExprId side, CounterRelation& relation) {
   ExprId id = side;
   while (id.valid() && unit.expressions[id].kind == ExprKind::kConvert) {
     const Type& from = unit.TypeOf(unit.expressions[id].a);
@@ -49,12 +56,6 @@ bool FindCounter(const Unit& unit, ExprId side, Relation& relation) {
       expr.increment == IncrementOp::kPreIncrement || expr.increment == IncrementOp::kPreDecrement;
   return true;
 }
-
-/// A side of the condition that has to hold for another round.
-struct Conjunct {
-  ExprId holds;
-  std::vector<ExprId> before;  // evaluated first: the left sides of commas
-};
 
 /// That none of `a || b` holds is what both of `!a && !b` say.
 std::vector<Conjunct> ConjunctsOf(const Unit& unit, const LoopShape& loop) {
@@ -169,35 +170,36 @@ std::optional<int64_t> LoopBounds::StepOf(const Expr& expr, const Cell& counter)
   PLCXX_UNREACHABLE();
 }
 
+LoopBounds::Iteration LoopBounds::IterationOf(const LoopShape& loop) const {
+  Iteration iteration{.loop = loop, .parts = {}, .declared = {}};
+  const auto collect = [&](ExprId id) { iteration.parts.push_back(id); };
+  if (loop.tests.empty()) ForEachExpr(unit_, loop.condition, collect);
+  for (const StatementId test : loop.tests) ForEachExpr(unit_, unit_.statements[test].expression, collect);
+  if (loop.step.valid()) ForEachExpr(unit_, loop.step, collect);
+  for (const StatementId id : loop.body) ForEachExprIn(unit_, id, collect);
+  for (const StatementId id : loop.body) {
+    ForEachStatement(unit_, id, [&](StatementId part) {
+      for (const VariableId variable : unit_.statements[part].variables) {
+        if (unit_.variables[variable].initialised && objects_.OfVariable(variable).valid()) {
+          iteration.declared.Add(objects_.OfVariable(variable));
+        }
+      }
+    });
+  }
+  return iteration;
+}
+
 std::optional<LoopProof> LoopBounds::Prove(const LoopShape& loop, Refusal& refusal) {
   if (!loop.condition.valid()) {
     refusal.Add(ProofStep::kNothing, "it has no condition");
     return std::nullopt;
   }
   refusal.Add(ProofStep::kNothing, "its condition does not compare a counter with a limit");
-  // Everything that is executed in a round.
-  std::vector<ExprId> parts;
-  const auto collect = [&](ExprId id) { parts.push_back(id); };
-  if (loop.tests.empty()) ForEachExpr(unit_, loop.condition, collect);
-  for (const StatementId test : loop.tests) ForEachExpr(unit_, unit_.statements[test].expression, collect);
-  if (loop.step.valid()) ForEachExpr(unit_, loop.step, collect);
-  for (const StatementId id : loop.body) ForEachExprIn(unit_, id, collect);
-  // Declarations with initialisers are stores, too.
-  ObjectSet declared;
-  for (const StatementId id : loop.body) {
-    ForEachStatement(unit_, id, [&](StatementId part) {
-      for (const VariableId variable : unit_.statements[part].variables) {
-        if (unit_.variables[variable].initialised && objects_.OfVariable(variable).valid()) {
-          declared.Add(objects_.OfVariable(variable));
-        }
-      }
-    });
-  }
+  const Iteration iteration = IterationOf(loop);
   std::vector<Conjunct> conjuncts = ConjunctsOf(unit_, loop);
   std::optional<LoopProof> best;
   for (size_t i = conjuncts.size(); i-- > 0;) {
-    const std::optional<LoopProof> proof =
-        ProveBy(conjuncts[i].holds, conjuncts[i].before, loop, parts, declared, refusal);
+    const std::optional<LoopProof> proof = ProveBy(conjuncts[i], iteration, refusal);
     if (proof && (!best || proof->count.iterations < best->count.iterations)) best = proof;
   }
   return best;
@@ -235,13 +237,14 @@ std::optional<std::vector<ExprId>> LoopBounds::StoresInto(const Cell& cell, cons
 /// The constant by which each way through an iteration changes the counter once. `in_comparison` is the n++ of `n++ <
 /// 5`, `before` what the condition has evaluated in front of the comparison.
 std::optional<LoopBounds::Change> LoopBounds::ChangeOf(const Cell& counter, ExprId in_comparison,
-                                                       const std::vector<ExprId>& before, const LoopShape& loop,
-                                                       const std::vector<ExprId>& parts, Refusal& refusal) const {
+                                                       const std::vector<ExprId>& before, const Iteration& iteration,
+                                                       Refusal& refusal) const {
+  const LoopShape& loop = iteration.loop;
   const auto refuse = [&](const char* why) {
     refusal.Add(ProofStep::kChange, why);
     return std::nullopt;
   };
-  const std::optional<std::vector<ExprId>> stores = StoresInto(counter, parts, refusal);
+  const std::optional<std::vector<ExprId>> stores = StoresInto(counter, iteration.parts, refusal);
   if (!stores) return std::nullopt;
   const auto count_in = [&](ExprId root) {
     size_t count = 0;
@@ -305,7 +308,7 @@ bool LoopBounds::IsComputed(ExprId side) const {
 /// n`. Empty: nowhere.
 source::Range LoopBounds::CounterInside(ExprId side, const std::vector<ExprId>& parts) const {
   source::Range found;
-  Relation alone;
+  CounterRelation alone;
   if (FindCounter(unit_, side, alone)) return found;
   ForEachExpr(unit_, side, [&](ExprId id) {
     const Expr& read = ExprAt(id);
@@ -322,101 +325,132 @@ source::Range LoopBounds::CounterInside(ExprId side, const std::vector<ExprId>& 
   return found;
 }
 
-std::optional<LoopProof> LoopBounds::ProveBy(ExprId conjunct, const std::vector<ExprId>& before, const LoopShape& loop,
-                                             const std::vector<ExprId>& parts, const ObjectSet& declared,
-                                             Refusal& refusal) {
-  ExprId root = conjunct;
-  bool negated = !loop.holds;
+/// A comparison says that a counter is compared; else the condition itself is one, compared with 0.
+std::vector<CounterRelation> LoopBounds::RelationsOf(const Expr& expr, ExprId id, bool negated) const {
+  std::vector<CounterRelation> relations;
+  const auto add = [&](ExprId side, ExprId limit, BinaryOp op) {
+    CounterRelation relation{
+        .counter = {}, .limit = limit, .op = negated ? Negated(op) : op, .change = {}, .conversions = {}};
+    if (FindCounter(unit_, side, relation)) relations.push_back(relation);
+  };
+  if (IsIntegerComparison(expr)) {
+    add(expr.a, expr.b, expr.binary);
+    add(expr.b, expr.a, Turned(expr.binary));
+  } else {
+    add(id, {}, BinaryOp::kNotEqual);
+  }
+  return relations;
+}
+
+bool LoopBounds::IsIntegerComparison(const Expr& expr) const {
+  return expr.kind == ExprKind::kBinary && IsComparison(expr.binary) && IsInteger(unit_.TypeOf(expr.a));
+}
+
+/// Of a comparison whose sides are more than a counter.
+void LoopBounds::RefuseCountersInside(const Expr& comparison, const Iteration& iteration, Refusal& refusal) const {
+  for (const ExprId side : {comparison.a, comparison.b}) {
+    const source::Range read = CounterInside(side, iteration.parts);
+    if (read.begin == read.end) continue;
+    refusal.Add(ProofStep::kSide,
+                "it compares '" + std::string(sources_.Text(ExprAt(side).range)) + "' and not '" +
+                    std::string(sources_.Text(read)) + "' alone" +
+                    (IsComputed(side) ? ": write the rest on the other side" : ""),
+                read);
+  }
+}
+
+std::optional<LoopProof> LoopBounds::ProveBy(const Conjunct& conjunct, const Iteration& iteration, Refusal& refusal) {
+  ExprId root = conjunct.holds;
+  bool negated = !iteration.loop.holds;
   while (ExprAt(root).kind == ExprKind::kUnary && ExprAt(root).unary == UnaryOp::kNot) {
     negated = !negated;
     root = ExprAt(root).a;
   }
   const Expr& expr = ExprAt(root);
-  const bool compares = expr.kind == ExprKind::kBinary && IsComparison(expr.binary) && IsInteger(unit_.TypeOf(expr.a));
-  std::vector<Relation> candidates;
-  const auto add = [&](ExprId side, ExprId limit, BinaryOp op) {
-    Relation relation{.counter = {}, .limit = limit, .op = negated ? Negated(op) : op, .change = {}, .conversions = {}};
-    if (FindCounter(unit_, side, relation)) candidates.push_back(relation);
-  };
-  if (compares) {
-    add(expr.a, expr.b, expr.binary);
-    add(expr.b, expr.a, Turned(expr.binary));
-  } else {
-    add(root, {}, BinaryOp::kNotEqual);
-  }
-  if (compares) {
-    for (const ExprId side : {expr.a, expr.b}) {
-      const source::Range read = CounterInside(side, parts);
-      if (read.begin == read.end) continue;
-      refusal.Add(ProofStep::kSide,
-                  "it compares '" + std::string(sources_.Text(ExprAt(side).range)) + "' and not '" +
-                      std::string(sources_.Text(read)) + "' alone" +
-                      (IsComputed(side) ? ": write the rest on the other side" : ""),
-                  read);
-    }
-  }
-  for (const Relation& relation : candidates) {
+  const bool compares = IsIntegerComparison(expr);
+  const std::vector<CounterRelation> relations = RelationsOf(expr, root, negated);
+  if (compares) RefuseCountersInside(expr, iteration, refusal);
+  for (const CounterRelation& relation : relations) {
     const std::optional<Cell> counter = facts_.IntegerCellOf(relation.counter);
     if (!counter) continue;
-    const Cell cell = *counter;
-    const Type& type = TypeAt(ExprAt(relation.counter).type);
-    const source::Range named = ExprAt(relation.counter).range;
     Refusal own;
-    const std::optional<Change> change = ChangeOf(cell, relation.change, before, loop, parts, own);
+    const std::optional<Change> change = ChangeOf(*counter, relation.change, conjunct.before, iteration, own);
     if (!change) {
       // A flag beside a comparison is no counter that somebody has in mind.
       const bool is_flag = !compares && !relation.change.valid();
-      refusal.Add(is_flag ? ProofStep::kCounter : own.failed_at, own.why, named);
+      refusal.Add(is_flag ? ProofStep::kCounter : own.failed_at, own.why, ExprAt(relation.counter).range);
     }
-    if (!change || declared.Has(cell.object)) continue;
-    const int64_t step = change->step;
-    if (relation.limit.valid() && !IsUnchanged(relation.limit, parts)) {
-      const std::string called = CalledIn(unit_, relation.limit);
-      refusal.Add(ProofStep::kLimit,
-                  called.empty() ? "its limit changes in the loop"
-                                 : "its limit calls '" + called +
-                                       "' in each round: keep the result in a variable in front of the loop",
-                  named);
-      continue;
-    }
-    const Bounds all = BoundsOf(type);
-    const std::optional<Bounds> known = flow_.Find(cell);
-    const Bounds entered = known && known->Within(all) ? *known : all;
-    const bool moved = relation.changes_before || change->is_before || (!loop.tests_first && !change->in_condition);
-    Bounds start = moved ? Bounds{entered.low + step, entered.high + step} : entered;
-    if (!start.Within(all)) start = entered.IsOne() ? Wrapped(start, all) : all;
-    CountedLoop counted{
-        .op = relation.op,
-        .start = start,
-        .limit = relation.limit.valid() ? intervals_.BoundsOfExpr(relation.limit, Origin::kDeclared) : Bounds{0, 0},
-        .step = step,
-        .type = all,
-        .wraps = !type.is_signed,
-        .conversions = relation.conversions};
-    std::optional<LoopCount> count = Count(counted);
-    if (!count) {
-      refusal.Add(ProofStep::kRange, "its counter may step over the end of its type before the condition fails", named);
-      continue;
-    }
-    LoopProof proof{.count = *count, .counter = cell, .knows_values = !change->in_condition};
-    proof.is_entered = conjunct == loop.condition && IsEntered(counted);
-    if (relation.limit.valid() && intervals_.BoundsOfExpr(relation.limit, Origin::kTested) != counted.limit) {
-      proof.rests_on_memory = true;
-      const auto last = static_cast<int64_t>(count->iterations);
-      const auto reached = [&](int64_t changes) {
-        return Join(start, {start.low + step * changes, start.high + step * changes});
-      };
-      proof.count.at_test = reached(last);
-      proof.count.in_body = last == 0 ? std::nullopt : std::optional(reached(last - 1));
-      proof.knows_values = proof.knows_values && proof.count.at_test.Within(all);
-    }
-    if (!loop.tests_first) {  // the first iteration is not tested
-      ++proof.count.iterations;
-      proof.count.in_body = Join(proof.count.in_body.value_or(entered), entered);
-    }
+    // Declarations with initialisers are stores, too.
+    if (!change || iteration.declared.Has(counter->object)) continue;
+    if (!CheckLimit(relation, iteration, refusal)) continue;
+    std::optional<LoopProof> proof = ProveWith(relation, *counter, *change, iteration.loop, refusal);
+    if (!proof) continue;
+    proof->is_entered = proof->is_entered && conjunct.holds == iteration.loop.condition;
     return proof;
   }
   return std::nullopt;
+}
+
+bool LoopBounds::CheckLimit(const CounterRelation& relation, const Iteration& iteration, Refusal& refusal) const {
+  if (!relation.limit.valid() || IsUnchanged(relation.limit, iteration.parts)) return true;
+  const std::string called = CalledIn(unit_, relation.limit);
+  refusal.Add(ProofStep::kLimit,
+              called.empty() ? "its limit changes in the loop"
+                             : "its limit calls '" + called +
+                                   "' in each round: keep the result in a variable in front of the loop",
+              ExprAt(relation.counter).range);
+  return false;
+}
+
+/// The values that the counter has where it is compared for the first time. `entered`: in front of the loop.
+Bounds LoopBounds::StartOf(const CounterRelation& relation, const Change& change, const Bounds& entered,
+                           const LoopShape& loop) const {
+  const Bounds all = BoundsOf(TypeAt(ExprAt(relation.counter).type));
+  const bool moved = relation.changes_before || change.is_before || (!loop.tests_first && !change.in_condition);
+  const Bounds start = moved ? Bounds{entered.low + change.step, entered.high + change.step} : entered;
+  if (start.Within(all)) return start;
+  return entered.IsOne() ? Wrapped(start, all) : all;
+}
+
+std::optional<LoopProof> LoopBounds::ProveWith(const CounterRelation& relation, const Cell& counter,
+                                               const Change& change, const LoopShape& loop, Refusal& refusal) {
+  const Type& type = TypeAt(ExprAt(relation.counter).type);
+  const Bounds all = BoundsOf(type);
+  const std::optional<Bounds> known = flow_.Find(counter);
+  const Bounds entered = known && known->Within(all) ? *known : all;
+  const int64_t step = change.step;
+  const Bounds start = StartOf(relation, change, entered, loop);
+  const CountedLoop counted{
+      .op = relation.op,
+      .start = start,
+      .limit = relation.limit.valid() ? intervals_.BoundsOfExpr(relation.limit, Origin::kDeclared) : Bounds{0, 0},
+      .step = step,
+      .type = all,
+      .wraps = !type.is_signed,
+      .conversions = relation.conversions};
+  const std::optional<LoopCount> count = Count(counted);
+  if (!count) {
+    refusal.Add(ProofStep::kRange, "its counter may step over the end of its type before the condition fails",
+                ExprAt(relation.counter).range);
+    return std::nullopt;
+  }
+  LoopProof proof{.count = *count, .counter = counter, .knows_values = !change.in_condition};
+  proof.is_entered = IsEntered(counted);
+  if (relation.limit.valid() && intervals_.BoundsOfExpr(relation.limit, Origin::kTested) != counted.limit) {
+    proof.rests_on_memory = true;
+    const auto last = static_cast<int64_t>(count->iterations);
+    const auto reached = [&](int64_t changes) {
+      return Join(start, {start.low + step * changes, start.high + step * changes});
+    };
+    proof.count.at_test = reached(last);
+    proof.count.in_body = last == 0 ? std::nullopt : std::optional(reached(last - 1));
+    proof.knows_values = proof.knows_values && proof.count.at_test.Within(all);
+  }
+  if (!loop.tests_first) {  // the first iteration is not tested
+    ++proof.count.iterations;
+    proof.count.in_body = Join(proof.count.in_body.value_or(entered), entered);
+  }
+  return proof;
 }
 
 std::optional<uint64_t> LoopBounds::IterationsOfGoto(StatementId label, StatementId jump) {
@@ -439,7 +473,7 @@ std::optional<uint64_t> LoopBounds::IterationsOfGoto(StatementId label, Statemen
                          .tests = heads};
     const std::optional<LoopProof> proof = paths_.IsPassedBy(tests[i].test, loop) ? std::nullopt : Prove(loop, refusal);
     if (!proof) continue;
-    // The test may come before the first change: one round more at most.
+    // The test may come before the first change: one iteration more at most.
     const uint64_t rounds = proof->count.iterations + (is_first || !is_last ? 1 : 0);
     if (!best || rounds < *best) best = rounds;
   }

@@ -87,7 +87,7 @@ void Loops::Lower(const Statement& statement) {
     statements_.Lower(statement.then, Tail::kNone);
     flow_ = before;
   } else {
-    Iterations(statement, on_continue, leaves);
+    Iterate(statement, on_continue, leaves);
   }
   path_.Leave();
   path_.PlaceLabel(on_break);
@@ -101,85 +101,109 @@ void Loops::ConditionRegion(ExprId id, ir::RegionId region) {
   if (insts.empty() || insts.back() != value) Pure(OpKind::kBitAnd, {value, value});
 }
 
-void Loops::Iterations(const Statement& statement, uint32_t on_continue, bool leaves) {
-  const bool is_for = statement.kind == StatementKind::kFor, is_do = statement.kind == StatementKind::kDo;
-  std::optional<LoopProof> proof;
-  if (!statement.loop_bound) {
-    Refusal refusal;
-    proof = loop_bounds_.Prove({.condition = statement.expression,
-                                .step = is_for ? statement.step : ExprId(),
-                                .body = {statement.then},
-                                .tests_first = !is_do},
-                               refusal);
-    if (!proof && !leaves && !HasError(statement)) {
-      diag::Diagnostic& refused = diagnostics_.Report(statement.keyword, diag::HncUnboundedLoop, refusal.why);
-      if (refusal.counter.begin != refusal.counter.end) {
-        refused.notes.push_back({refusal.counter, "what it is tried to count with"});
-      }
+/// What is known of the loop's end, or the error that nothing is.
+std::optional<LoopProof> Loops::Prove(const Statement& statement, bool leaves) {
+  Refusal refusal;
+  std::optional<LoopProof> proof =
+      loop_bounds_.Prove({.condition = statement.expression,
+                          .step = statement.kind == StatementKind::kFor ? statement.step : ExprId(),
+                          .body = {statement.then},
+                          .tests_first = statement.kind != StatementKind::kDo},
+                         refusal);
+  if (!proof && !leaves && !HasError(statement)) {
+    diag::Diagnostic& refused = diagnostics_.Report(statement.keyword, diag::HncUnboundedLoop, refusal.why);
+    if (refusal.counter.begin != refusal.counter.end) {
+      refused.notes.push_back({refusal.counter, "what it is tried to count with"});
     }
   }
-  const uint64_t rounds = std::max<uint64_t>(1, statement.loop_bound ? statement.loop_bound->rounds
-                                                : proof              ? proof->count.iterations
-                                                                     : 1);
-  if (statement.loop_bound || proof) CheckRounds(statement.keyword, rounds, proof ? &statement : nullptr);
+  return proof;
+}
+
+Loops::Bound Loops::BoundOf(const Statement& statement, bool leaves) {
+  Bound bound;
+  if (!statement.loop_bound) bound.proof = Prove(statement, leaves);
+  const std::optional<LoopProof>& proof = bound.proof;
+  bound.rounds = std::max<uint64_t>(1, statement.loop_bound ? statement.loop_bound->rounds
+                                       : proof              ? proof->count.iterations
+                                                            : 1);
+  if (statement.loop_bound || proof) CheckRounds(statement.keyword, bound.rounds, proof ? &statement : nullptr);
   // A counter or a limit in memory may be forced from outside: then the rounds are counted all the same.
-  const bool counts =
+  bound.is_counted =
       statement.loop_bound || (proof && (proof->rests_on_memory || !intervals_.IsLocalObject(proof->counter.object)));
-  ir::Loop loop{.kind = counts ? ir::LoopBound::kGuard : ir::LoopBound::kProven,
-                .bound = rounds,
+  return bound;
+}
+
+void Loops::LearnAtTest(const Bound& bound) {
+  if (bound.knows_values()) flow_.Learn(bound.proof->counter, bound.proof->count.at_test, bound.origin());
+}
+
+void Loops::LearnInBody(const Bound& bound) {
+  if (!bound.knows_values() || !bound.proof->count.in_body) return;
+  const std::optional<Bounds> in_body = bound.proof->count.in_body, known = flow_.Find(bound.proof->counter);
+  const std::optional<Bounds> both = known ? Meet(*known, *in_body) : in_body;
+  if (both) flow_.Learn(bound.proof->counter, *both, bound.origin());
+}
+
+/// What an iteration may write is not known when the next one begins.
+void Loops::ForgetWrites(const Statement& statement) {
+  intervals_.ForgetWrites(statement.then);
+  if (statement.expression.valid())
+    ForEachExpr(unit_, statement.expression, [&](ExprId id) { intervals_.ForgetWritesOf(id); });
+  if (statement.kind == StatementKind::kFor && statement.step.valid())
+    ForEachExpr(unit_, statement.step, [&](ExprId id) { intervals_.ForgetWritesOf(id); });
+}
+
+/// A region of its own where the step is one assignment; else it is at the end of the body.
+ir::RegionId Loops::LowerStep(ExprId id, ir::RegionId body) {
+  const ir::RegionId step = builder_.NewRegion();
+  builder_.SetRegion(step);
+  expressions_.Execute(id);
+  builder_.SetRegion(body);
+  if (IsSingleStore(program_, step)) return step;
+  std::vector<ir::InstId>& insts = program_.regions[body].insts;
+  const std::vector<ir::InstId> of_step = std::exchange(program_.regions[step].insts, {});
+  insts.insert(insts.end(), of_step.begin(), of_step.end());
+  return {};
+}
+
+void Loops::Iterate(const Statement& statement, uint32_t on_continue, bool leaves) {
+  const bool is_for = statement.kind == StatementKind::kFor, is_do = statement.kind == StatementKind::kDo;
+  const Bound bound = BoundOf(statement, leaves);
+  ir::Loop loop{.kind = bound.is_counted ? ir::LoopBound::kGuard : ir::LoopBound::kProven,
+                .bound = bound.rounds,
                 .budget = {},
                 .condition = {},
                 .body = builder_.NewRegion(),
                 .step = {},
                 .exhausted = {}};
-  const ir::RegionId behind = builder_.region();
-  intervals_.ForgetWrites(statement.then);
-  if (statement.expression.valid())
-    ForEachExpr(unit_, statement.expression, [&](ExprId id) { intervals_.ForgetWritesOf(id); });
-  if (is_for && statement.step.valid())
-    ForEachExpr(unit_, statement.step, [&](ExprId id) { intervals_.ForgetWritesOf(id); });
-  const Origin origin = counts ? Origin::kStored : Origin::kTested;
-  const LoopCount* values = proof && proof->knows_values ? &proof->count : nullptr;
+  const ir::RegionId after = builder_.region();
+  ForgetWrites(statement);
   Flow at_end = flow_;
   if (statement.expression.valid() && !is_do) {
     loop.condition = builder_.NewRegion();
-    if (values != nullptr) flow_.Learn(proof->counter, values->at_test, origin);
+    LearnAtTest(bound);
     ConditionRegion(statement.expression, loop.condition);
-    at_end = intervals_.RefineWaysOut(statement.expression, counts);
+    at_end = intervals_.RefineWaysOut(statement.expression, bound.is_counted);
   }
-  if (values != nullptr && values->in_body) {
-    const std::optional<Bounds> known = flow_.Find(proof->counter);
-    const std::optional<Bounds> both = known ? Meet(*known, *values->in_body) : values->in_body;
-    if (both) flow_.Learn(proof->counter, *both, origin);
-  }
-  const uint64_t outer_rounds = std::exchange(rounds_around_, std::min(rounds_around_ * rounds, kMostRounds + 1));
+  LearnInBody(bound);
+  const uint64_t outer_rounds = std::exchange(rounds_around_, std::min(rounds_around_ * bound.rounds, kMostRounds + 1));
   builder_.SetRegion(loop.body);
   iterated_.push_back(loop.body);
   statements_.Lower(statement.then, Tail::kNone);
   iterated_.pop_back();
   path_.PlaceLabel(on_continue);
-  // What the first iteration assigns on every way is assigned behind the loop.
-  if (proof && proof->is_entered && flow_.reachable) {
+  // What the first iteration assigns on every path is assigned after the loop.
+  if (bound.proof && bound.proof->is_entered && flow_.reachable) {
     std::erase_if(at_end.unassigned, [this](VariableId id) { return !flow_.unassigned.contains(id); });
   }
   ValueId again;
   if (is_for && statement.step.valid() && flow_.reachable) {
-    const ir::RegionId step = builder_.NewRegion();
-    builder_.SetRegion(step);
-    expressions_.Execute(statement.step);
-    if (IsSingleStore(program_, step)) {
-      loop.step = step;
-    } else {
-      std::vector<ir::InstId>& body = program_.regions[loop.body].insts;
-      const std::vector<ir::InstId> insts = std::exchange(program_.regions[step].insts, {});
-      body.insert(body.end(), insts.begin(), insts.end());
-    }
-    builder_.SetRegion(loop.body);
+    loop.step = LowerStep(statement.step, loop.body);
   } else if (is_do && flow_.reachable) {
     writer_.MarkText(statement.close, writer_.SubjectOf(statement), false);
-    if (values != nullptr) flow_.Learn(proof->counter, values->at_test, origin);
+    LearnAtTest(bound);
     again = expressions_.Condition(statement.expression);
-    at_end = intervals_.RefineWaysOut(statement.expression, counts);
+    at_end = intervals_.RefineWaysOut(statement.expression, bound.is_counted);
   } else if (is_do) {
     at_end.reachable = false;
   }
@@ -190,12 +214,12 @@ void Loops::Iterations(const Statement& statement, uint32_t on_continue, bool le
     faults_.Record(Fault::kLoop);
     at_end.reachable = true;
   }
-  builder_.SetRegion(behind);
+  builder_.SetRegion(after);
   const ir::InstId id = builder_.LoopWith(loop);
   if (again.valid()) {
     builder_.SetRegion(loop.body);
     builder_.Exit(id, Pure(OpKind::kBitNot, {again}));
-    builder_.SetRegion(behind);
+    builder_.SetRegion(after);
   }
   if (!statement.expression.valid() && !statement.loop_bound) at_end.reachable = false;
   flow_ = at_end;

@@ -40,8 +40,25 @@ class Loops : Context {
  private:
   bool HasError(const Statement& statement) const;
   void ConditionRegion(ExprId id, ir::RegionId region);
+
+  /// How often it iterates: as the program says, or as is proved.
+  struct Bound {
+    std::optional<LoopProof> proof;
+    uint64_t rounds = 1;
+    bool is_counted = false;  // by a guard, when it is executed
+
+    bool knows_values() const { return proof && proof->knows_values; }
+    Origin origin() const { return is_counted ? Origin::kStored : Origin::kTested; }
+  };
   /// `leaves`: every path of its body leaves it, so that there is one iteration at most.
-  void Iterations(const Statement& statement, uint32_t on_continue, bool leaves);
+  Bound BoundOf(const Statement& statement, bool leaves);
+  std::optional<LoopProof> Prove(const Statement& statement, bool leaves);
+  /// What the bound says about its counter where the condition is tested, and where the body begins.
+  void LearnAtTest(const Bound& bound);
+  void LearnInBody(const Bound& bound);
+  void ForgetWrites(const Statement& statement);
+  ir::RegionId LowerStep(ExprId id, ir::RegionId body);
+  void Iterate(const Statement& statement, uint32_t on_continue, bool leaves);
 
   Faults& faults_;
   Jumps& jumps_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -35,7 +36,32 @@ class SystemRoutines : Context {
   ir::PlaceId HandwheelPlace();
   /// The function, or what the program has in its place (D13).
   void CallAgain(SystemFunction function, std::vector<ir::ValueId> arguments);
-  void Build(SystemRoutine routine, ir::RoutineId id);
+
+  /// Of the routine that is built.
+  struct Parameters {
+    std::vector<ir::PlaceId> places;
+    ir::PlaceId result;  // where there is one
+  };
+  void Build(SystemRoutine routine, const Parameters& p);
+  void SetAxisHome(const Parameters& p);
+  void SetAxisJog(const Parameters& p);
+  void SetAxisStep(const Parameters& p);
+  void SetAxisMove(const Parameters& p);
+  void SetAxisMoveto(const Parameters& p);
+  void SetAxisStop(const Parameters& p);
+  void GetAxisPos(const Parameters& p);
+  void GetAxisDen(const Parameters& p);
+  void GetHandwheel(const Parameters& p);
+  void Handwheel(const Parameters& p);
+  ir::ValueId Parameter(const Parameters& p, size_t index);
+  /// The number of the axis, which is the first parameter, as an index.
+  ir::ValueId Axis(const Parameters& p);
+  /// Of that axis: what is left of its way, and its speed.
+  ir::ValueId PicA(const Parameters& p);
+  ir::ValueId Speed(const Parameters& p);
+  /// sys_iip_time, F[251].
+  ir::ValueId Iip();
+  ir::PlaceId Local(std::string name, ir::Type type, ir::ValueId value);
 
   Memory& memory_;
   CellPlaces& places_;
