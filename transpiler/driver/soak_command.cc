@@ -107,49 +107,72 @@ std::optional<Shard> ShardOf(const std::string& text) {
   return Shard{.number = *one, .count = *count};
 }
 
-int RunSoak(const SoakSettings& asked) {
-  SoakSettings settings = asked;
-  settings.directory = FolderOf(asked.common, asked.directory);
+/// How much is run, and in what.
+struct SoakWork {
+  uint32_t machines = 0;  // of all shards
+  Shard shard;
+  uint64_t length_ms = 0;           // of all machines together
+  std::optional<uint64_t> time_ms;  // real time
+  std::string compiler;             // of the fleet; empty: in the simulator
+
+  bool is_fleet() const { return !compiler.empty(); }
+  uint32_t own() const { return (machines - shard.number) / shard.count + 1; }
+};
+
+/// None: what is wrong with the settings has been printed.
+std::optional<SoakWork> WorkOf(const SoakSettings& settings) {
+  const auto refuse = [](const std::string& why) -> std::optional<SoakWork> {
+    UsageError(why);
+    return std::nullopt;
+  };
   const Extent extent = ExtentOf(settings.engine);
-  const uint32_t machines = settings.machines.value_or(extent.machines);
+  SoakWork work{.machines = settings.machines.value_or(extent.machines), .shard = {}, .time_ms = {}, .compiler = {}};
   const std::string for_length = settings.length.value_or(extent.length);
-  const std::optional<uint64_t> length = LengthMs(for_length);
-  if (!length || *length == 0) {
-    return UsageError("'--for " + for_length + "' is no time: write it as in 100h, 30min or 90s");
-  }
-  std::optional<uint64_t> time_ms;
+  work.length_ms = LengthMs(for_length).value_or(0);
+  if (work.length_ms == 0) return refuse("'--for " + for_length + "' is no time: write it as in 100h, 30min or 90s");
   if (!settings.time.empty()) {
-    time_ms = LengthMs(settings.time);
-    if (!time_ms || *time_ms == 0)
-      return UsageError("'--time " + settings.time + "' is no time: write it as in 60s or 8h");
+    work.time_ms = LengthMs(settings.time);
+    if (work.time_ms.value_or(0) == 0)
+      return refuse("'--time " + settings.time + "' is no time: write it as in 60s or 8h");
   }
   const std::optional<Shard> shard = ShardOf(settings.shard);
-  if (!shard)
-    return UsageError("'--shard " + settings.shard + "' is no part: write it as in 2/8, for the second of eight");
-  if (shard->count > machines) {
-    return UsageError("--shard " + settings.shard + ": there are " + std::to_string(machines) +
-                      " machines to be split; --machines gives more");
+  if (!shard) return refuse("'--shard " + settings.shard + "' is no part: write it as in 2/8, for the second of eight");
+  work.shard = *shard;
+  if (shard->count > work.machines) {
+    return refuse("--shard " + settings.shard + ": there are " + std::to_string(work.machines) +
+                  " machines to be split; --machines gives more");
   }
-  const bool is_fleet = settings.engine == kFleet;
-  if (is_fleet && machines % (soak::kWideMachines * shard->count) != 0) {
+  if (settings.engine != kFleet) return work;
+  if (work.machines % (soak::kWideMachines * shard->count) != 0) {
     const std::string side_by_side = std::to_string(soak::kWideMachines);
-    return UsageError("--engine fleet runs " + side_by_side + " machines side by side: " + std::to_string(machines) +
-                      " is no multiple of " + side_by_side +
-                      (shard->count == 1 ? "" : " for each of " + std::to_string(shard->count) + " parts"));
+    return refuse("--engine fleet runs " + side_by_side + " machines side by side: " + std::to_string(work.machines) +
+                  " is no multiple of " + side_by_side +
+                  (shard->count == 1 ? "" : " for each of " + std::to_string(shard->count) + " parts"));
   }
-  const std::optional<std::string> compiler = is_fleet ? CompilerOf(kFleet, settings.compiler) : std::string();
-  if (!compiler) return kWrongUse;
+  const std::optional<std::string> compiler = CompilerOf(kFleet, settings.compiler);
+  if (!compiler) return std::nullopt;
+  work.compiler = *compiler;
+  return work;
+}
 
+/// The program, and what is watched in it; what it refers to is in it, so that it stays where it is.
+struct SoakProgram {
   ChosenProperties chosen;
+  scenarios::ProveMachine machine;
+  std::vector<prove::properties::Property> properties;
+};
+
+/// What is wrong is printed; then the exit code is not kDone.
+int ReadProgram(const SoakSettings& settings, ProgressLine& progress, SoakProgram& program) {
+  ChosenProperties& chosen = program.chosen;
   chosen.files = settings.files;
   if (!ChooseProperties(settings.common, chosen)) return kWrongUse;
-  ProgressLine progress;
   chosen.request.progress = [&progress](std::string_view phase) { progress.Show(phase); };
   std::optional<compilation::Compilation> compiled = CompileProgram(settings.common, chosen.request);
   if (!compiled) return kWrongUse;
   progress.Clear();
   chosen.request.progress = nullptr;
-  scenarios::ProveMachine machine;
+  scenarios::ProveMachine& machine = program.machine;
   machine.compilation = std::move(*compiled);
   if (!machine.compilation.ok()) {
     PrintDiagnosticsBeside(machine.compilation, MessagesOf(settings.common));
@@ -160,72 +183,94 @@ int RunSoak(const SoakSettings& asked) {
   machine.timing = scenarios::TimingOf(machine.compilation.program);
   std::vector<scenarios::PlacedProperty> placed;
   if (const int code = ReadProperties(chosen, settings.common, machine, placed); code != kDone) return code;
-  std::vector<prove::properties::Property> properties;
   for (scenarios::PlacedProperty& one : placed) {
     // Whether something is never stuck is not seen in one run.
     if (one.property.kind == prove::properties::PropertyKind::kNeverStuck) continue;
     scenarios::NameLocationsOf(one.property, machine);
-    properties.push_back(std::move(one.property));
+    program.properties.push_back(std::move(one.property));
   }
+  return kDone;
+}
 
-  const auto plant = ChooseSearchPlant(settings.plant, settings.common, machine.compilation);
-  if (!plant) return kWrongUse;
+using SoakPlant = std::shared_ptr<const scenarios::BoundPlant>;  // none: nothing moves by itself
 
-  progress.Show("inputs");
-  const soak::Inputs inputs(machine, plant->get());
-  const soak::Goals goals(machine.compilation.program);
-  const soak::WatchPlan plan(machine, std::move(properties));
-  const uint32_t own = (machines - shard->number) / shard->count + 1;
-  if (!settings.directory.empty() && !CanTakeRecord(settings.directory)) return kWrongUse;
-  soak::SoakRequest request{.machine = machine,
-                            .request = chosen.request,
-                            .scenarios = StimuliOf(scenarios::KnownRuns(chosen.request)),
+/// `program` and `progress` outlive it.
+soak::SoakRequest RequestOf(const SoakSettings& settings, const SoakWork& work, const SoakProgram& program,
+                            const SoakPlant& plant, ProgressLine& progress) {
+  soak::SoakRequest request{.machine = program.machine,
+                            .request = program.chosen.request,
+                            .scenarios = StimuliOf(scenarios::KnownRuns(program.chosen.request)),
                             .corpus = {},
-                            .make = soak::SimulatedMachines(machine.compilation, *plant),
-                            .plant = *plant,
-                            .machines = own,
-                            .first_machine = shard->number - 1,
-                            .every = shard->count,
-                            .machine_ms = (*length * own + machines - 1) / machines,
+                            .make = soak::SimulatedMachines(program.machine.compilation, plant),
+                            .plant = plant,
+                            .machines = work.own(),
+                            .first_machine = work.shard.number - 1,
+                            .every = work.shard.count,
+                            .machine_ms = (work.length_ms * work.own() + work.machines - 1) / work.machines,
                             .end = {},
                             .jobs = JobsOf(settings.jobs),
                             .seed = settings.seed,
+                            .until = settings.until,
                             .directory = settings.directory,
                             .progress = [&progress](const std::string& text) { progress.Show(text); }};
   if (!settings.directory.empty()) request.corpus = ReadCorpus(settings.directory);
-  if (*plant) {
-    soak::LeaveToPlant(**plant, machine.compilation, request.scenarios);
-    soak::LeaveToPlant(**plant, machine.compilation, request.corpus);
+  if (plant) {
+    soak::LeaveToPlant(*plant, program.machine.compilation, request.scenarios);
+    soak::LeaveToPlant(*plant, program.machine.compilation, request.corpus);
   }
-  if (is_fleet) {
+  return request;
+}
+
+/// False: reported.
+bool WriteSoaked(const SoakSettings& settings, const SoakProgram& program, const SoakPlant& plant,
+                 const soak::Soaked& soaked, const soak::Record& record) {
+  std::vector<emit::OutputFile> files;
+  for (const soak::Finding& finding : soaked.findings) files.push_back({finding.file, finding.yaml});
+  for (const soak::KeptRun& run : soaked.corpus) {
+    files.push_back(
+        {std::string(kSoakCorpus) + "/" + soak::CorpusName(run.stimuli),
+         soak::ScenarioOf(program.machine, program.chosen.request, plant.get(), CorpusFolder(settings.directory),
+                          "Kept by plcxx soak: it reaches what no other run does.", run.stimuli)});
+  }
+  std::vector<std::string> read = PathsRead(program.machine.compilation, settings.common);
+  for (const std::string& path : program.chosen.files) read.push_back(path);
+  return WriteSoak(settings.directory, record, std::move(files), std::move(read));
+}
+
+int RunSoak(const SoakSettings& asked) {
+  SoakSettings settings = asked;
+  settings.directory = FolderOf(asked.common, asked.directory);
+  const std::optional<SoakWork> work = WorkOf(settings);
+  if (!work) return kWrongUse;
+  ProgressLine progress;
+  SoakProgram program;
+  if (const int code = ReadProgram(settings, progress, program); code != kDone) return code;
+  const compilation::Compilation& compilation = program.machine.compilation;
+  const std::optional<SoakPlant> plant = ChooseSearchPlant(settings.plant, settings.common, compilation);
+  if (!plant) return kWrongUse;
+
+  progress.Show("inputs");
+  const soak::Inputs inputs(program.machine, plant->get());
+  const soak::Goals goals(compilation.program);
+  const soak::WatchPlan plan(program.machine, std::move(program.properties));
+  if (!settings.directory.empty() && !CanTakeRecord(settings.directory)) return kWrongUse;
+  soak::SoakRequest request = RequestOf(settings, *work, program, *plant, progress);
+  if (work->is_fleet()) {
     progress.Show("compiling " + std::to_string(soak::kWideMachines) + " machines");
-    auto wide = soak::CompileWide(machine.compilation, *plant, goals, plan, {.compiler = *compiler});
+    auto wide = soak::CompileWide(compilation, *plant, goals, plan, {.compiler = work->compiler});
     if (const auto* const failure = std::get_if<std::string>(&wide)) return UsageError("--engine fleet: " + *failure);
     request.wide = std::get<std::shared_ptr<const soak::WideProgram>>(std::move(wide));
   }
-  request.until = settings.until;
-  if (time_ms) request.end = std::chrono::steady_clock::now() + std::chrono::milliseconds(*time_ms);
+  if (work->time_ms) request.end = std::chrono::steady_clock::now() + std::chrono::milliseconds(*work->time_ms);
   const soak::Soaked soaked = soak::Soak(request, goals, inputs, plan);
   progress.Clear();
 
-  soak::Record record = soak::MakeRecord(machine, soaked, goals, inputs, plan);
+  soak::Record record = soak::MakeRecord(program.machine, soaked, goals, inputs, plan);
   record.seed = settings.seed;
-  record.machines = own;
+  record.machines = work->own();
   if (*plant) record.plant = PlantName(**plant);
   if (!settings.shard.empty()) record.shards.insert(settings.shard);
-  if (!settings.directory.empty()) {
-    std::vector<emit::OutputFile> files;
-    for (const soak::Finding& finding : soaked.findings) files.push_back({finding.file, finding.yaml});
-    for (const soak::KeptRun& run : soaked.corpus) {
-      const std::string name = soak::CorpusName(run.stimuli);
-      files.push_back({std::string(kSoakCorpus) + "/" + name,
-                       soak::ScenarioOf(machine, chosen.request, plant->get(), CorpusFolder(settings.directory),
-                                        "Kept by plcxx soak: it reaches what no other run does.", run.stimuli)});
-    }
-    std::vector<std::string> read = PathsRead(machine.compilation, settings.common);
-    for (const std::string& path : chosen.files) read.push_back(path);
-    if (!WriteSoak(settings.directory, record, std::move(files), std::move(read))) return kWrongUse;
-  }
+  if (!settings.directory.empty() && !WriteSoaked(settings, program, *plant, soaked, record)) return kWrongUse;
   return TellSoak(record, settings.directory, settings.form);
 }
 

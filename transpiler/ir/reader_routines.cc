@@ -42,6 +42,13 @@ struct BodyReader {
   }
   void ReadIf(InstId id);
   void ReadInst(RegionId region);
+  void ReadConstant(Inst& inst);
+  void ReadText(Inst& inst);
+  void ReadStatement(Inst& inst);
+  void ReadCall(Inst& inst, Shape shape);
+  void ReadBlock(InstId id);
+  /// The value of an instruction gets its name: none where it has no result.
+  void Define(const std::string& name, InstId id);
   void ReadOperation(RegionId region, Inst inst, const std::string& name);
 };
 
@@ -193,6 +200,65 @@ uint32_t LabelNumber(Reader& reader) {
   return static_cast<uint32_t>(number.value_or(0));
 }
 
+void BodyReader::ReadConstant(Inst& inst) {
+  inst.type = reader.TypeName();
+  const uint32_t base = BaseOfNext();
+  const uint64_t value = inst.op == OpKind::kConst ? reader.Number() : 0;
+  inst.a = static_cast<uint32_t>(value);
+  inst.b = static_cast<uint32_t>(value >> 32);
+  if (inst.op == OpKind::kConst) inst.c = base;
+}
+
+void BodyReader::ReadText(Inst& inst) {
+  inst.payload = reader.Known(reader.states, "state").index;
+  inst.a = reader.Known(reader.states, "state").index;
+  const std::string string = reader.Name();
+  const auto [text, added] = reader.texts.emplace(string, TextId(program.texts.size()));
+  if (added) program.texts.Add(string);
+  inst.b = text->second.index;
+}
+
+void BodyReader::ReadStatement(Inst& inst) {
+  const std::string handle = reader.Name();
+  const auto known = reader.statements.find(handle);
+  const StatementId id = known != reader.statements.end() ? known->second : reader.DeclareStatement(handle);
+  inst.payload = id.index;
+  statement = handle;
+}
+
+void BodyReader::ReadCall(Inst& inst, Shape shape) {
+  Call call;
+  if (shape == Shape::kCall) {
+    call.routine = reader.Known(reader.routines, "routine");
+    if (!reader.error) inst.type = program.routines[call.routine].result;
+  } else {
+    call.host = reader.Known(reader.host_functions, "host function");
+    if (!reader.error) inst.type = program.host_functions[call.host].result;
+  }
+  call.arguments = Arguments();
+  if (reader.Accept("out")) call.out = reader.Known(reader.places, "place");
+  call.exchange = reader.Accept("exchange");
+  inst.payload = program.calls.Add(std::move(call)).index;
+}
+
+void BodyReader::ReadBlock(InstId id) {
+  enclosing.emplace_back(reader.Name(), id);
+  const RegionId body = NestedRegion();
+  program[id].a = body.index;
+  enclosing.pop_back();
+}
+
+void BodyReader::Define(const std::string& name, InstId id) {
+  const Type type = program[id].type;
+  if (name.empty()) {
+    if (type != Type::kNone) reader.Fail("the result needs a name: '%0 = '");
+  } else if (type == Type::kNone) {
+    reader.Fail("this operation has no result");
+  } else if (!values.emplace(statement + '.' + name.substr(1), id).second) {
+    reader.Fail("value '" + name + "' is defined twice");
+  }
+}
+
 void BodyReader::ReadOperation(RegionId region, Inst inst, const std::string& name) {
   const OpInfo& info = Info(inst.op);
   inst.type = info.result;
@@ -204,15 +270,9 @@ void BodyReader::ReadOperation(RegionId region, Inst inst, const std::string& na
     case Shape::kPure:
       for (size_t i = 0; i < info.operand_count; ++i) *words[i] = ValueWord();
       break;
-    case Shape::kConst: {
-      inst.type = reader.TypeName();
-      const uint32_t base = BaseOfNext();
-      const uint64_t value = inst.op == OpKind::kConst ? reader.Number() : 0;
-      inst.a = static_cast<uint32_t>(value);
-      inst.b = static_cast<uint32_t>(value >> 32);
-      if (inst.op == OpKind::kConst) inst.c = base;
+    case Shape::kConst:
+      ReadConstant(inst);
       break;
-    }
     case Shape::kLoad:
       Access(inst, inst.a);
       break;
@@ -220,28 +280,16 @@ void BodyReader::ReadOperation(RegionId region, Inst inst, const std::string& na
       Access(inst, inst.b);
       inst.a = ValueWord();
       break;
-    case Shape::kText: {
-      inst.payload = reader.Known(reader.states, "state").index;
-      inst.a = reader.Known(reader.states, "state").index;
-      const std::string string = reader.Name();
-      const auto [text, added] = reader.texts.emplace(string, TextId(program.texts.size()));
-      if (added) program.texts.Add(string);
-      inst.b = text->second.index;
+    case Shape::kText:
+      ReadText(inst);
       break;
-    }
-    case Shape::kStatement: {
-      const std::string handle = reader.Name();
-      const auto known = reader.statements.find(handle);
-      const StatementId id = known != reader.statements.end() ? known->second : reader.DeclareStatement(handle);
-      inst.payload = id.index;
-      statement = handle;
+    case Shape::kStatement:
+      ReadStatement(inst);
       break;
-    }
-    case Shape::kExit: {
+    case Shape::kExit:
       inst.payload = EnclosingOf(reader.Name());
       if (reader.Accept("if")) inst.a = ValueWord();
       break;
-    }
     case Shape::kRepeat:
       inst.payload = EnclosingOf(reader.Name());
       if (reader.Accept("if")) inst.a = ValueWord();
@@ -257,21 +305,9 @@ void BodyReader::ReadOperation(RegionId region, Inst inst, const std::string& na
       inst.payload = LabelNumber(reader);
       break;
     case Shape::kCall:
-    case Shape::kHostCall: {
-      Call call;
-      if (info.shape == Shape::kCall) {
-        call.routine = reader.Known(reader.routines, "routine");
-        if (!reader.error) inst.type = program.routines[call.routine].result;
-      } else {
-        call.host = reader.Known(reader.host_functions, "host function");
-        if (!reader.error) inst.type = program.host_functions[call.host].result;
-      }
-      call.arguments = Arguments();
-      if (reader.Accept("out")) call.out = reader.Known(reader.places, "place");
-      call.exchange = reader.Accept("exchange");
-      inst.payload = program.calls.Add(std::move(call)).index;
+    case Shape::kHostCall:
+      ReadCall(inst, info.shape);
       break;
-    }
     case Shape::kIf:
       ReadIf(Append(region, inst));
       return;
@@ -281,23 +317,11 @@ void BodyReader::ReadOperation(RegionId region, Inst inst, const std::string& na
     case Shape::kLoop:
       ReadLoop(Append(region, inst));
       return;
-    case Shape::kBlock: {
-      const InstId id = Append(region, inst);
-      enclosing.emplace_back(reader.Name(), id);
-      const RegionId body = NestedRegion();
-      program[id].a = body.index;
-      enclosing.pop_back();
+    case Shape::kBlock:
+      ReadBlock(Append(region, inst));
       return;
-    }
   }
-  const InstId id = Append(region, inst);
-  if (name.empty()) {
-    if (inst.type != Type::kNone) reader.Fail("the result needs a name: '%0 = '");
-  } else if (inst.type == Type::kNone) {
-    reader.Fail("this operation has no result");
-  } else if (!values.emplace(statement + '.' + name.substr(1), id).second) {
-    reader.Fail("value '" + name + "' is defined twice");
-  }
+  Define(name, Append(region, inst));
 }
 
 void BodyReader::ReadInst(RegionId region) {

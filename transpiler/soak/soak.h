@@ -26,7 +26,6 @@ namespace plcxx::soak {
 struct SoakRequest {
   const scenarios::ProveMachine& machine;  // the program as it runs, with its slices
   const compilation::CompilationRequest& request;
-  std::vector<prove::properties::Property> properties;
   std::vector<Stimuli> scenarios;  // beside the program
   std::vector<Stimuli> corpus;     // of earlier times
   MakeMachines make;

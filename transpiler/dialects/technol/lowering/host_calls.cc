@@ -2,9 +2,12 @@
 
 namespace plcxx::technol {
 
+using ir::HostAccess;
 using ir::Type;
 
 namespace {
+
+using Rows = std::vector<dialects::HostRow<HostCall>>;
 
 const std::vector<std::string>& RequestNames() {
   static const std::vector<std::string> names = {"SEND_PLCMEM", "SEND_TABTECH", "SEND_NCTAB",
@@ -12,17 +15,9 @@ const std::vector<std::string>& RequestNames() {
   return names;
 }
 
-}  // namespace
-
-const std::vector<std::string>& NcTableFields() {
-  static const std::vector<std::string> names = {"NCTAB_VERZE",   "NCTAB_MOD",   "NCTAB_TAB",
-                                                 "NCTAB_SLOUPEC", "NCTAB_RADEK", "NCTAB_DATA"};
-  return names;
-}
-
-const std::vector<dialects::HostRow<HostCall>>& HostRows() {
-  using ir::HostAccess;
-  static const std::vector<dialects::HostRow<HostCall>> rows = {
+/// What is exchanged around a pass and at power-on.
+Rows ExchangeRows() {
+  return {
       {.call = HostCall::kReadInputs,
        .name = "read_inputs",
        .access = HostAccess::kWritesState,
@@ -44,6 +39,12 @@ const std::vector<dialects::HostRow<HostCall>>& HostRows() {
        .routine_exchange = true,
        .comment =
            "At power-on: fill LABEL_MEM and TAB_TECHNOL with the copy saved last; leave them alone if there is none."},
+  };
+}
+
+/// What the program asks the control to do, by bits that stand until it is done.
+Rows RequestRows() {
+  return {
       {.call = HostCall::kRequest,
        .name = "request",
        .comment =
@@ -89,6 +90,12 @@ const std::vector<dialects::HostRow<HostCall>>& HostRows() {
        .name = "close_all",
        .comment = "Right before request(CLOSE_ALL): close all files.",
        .polled = true},
+  };
+}
+
+/// What the control is told, and answers nothing to.
+Rows NoticeRows() {
+  return {
       {.call = HostCall::kHaltPass,
        .name = "halt_pass",
        .comment = "In each slow pass in which MODULE_HALT has run.",
@@ -103,6 +110,22 @@ const std::vector<dialects::HostRow<HostCall>>& HostRows() {
        .parameters = {{"kind", Type::kI8, {"BOUNDS", "LOOP", "DIVIDE", "BCD_RANGE", "BCD_DIGIT"}},
                       {.name = "statement", .type = Type::kI32, .enumerators = {}, .is_statement = true}}},
   };
+}
+
+}  // namespace
+
+const std::vector<std::string>& NcTableFields() {
+  static const std::vector<std::string> names = {"NCTAB_VERZE",   "NCTAB_MOD",   "NCTAB_TAB",
+                                                 "NCTAB_SLOUPEC", "NCTAB_RADEK", "NCTAB_DATA"};
+  return names;
+}
+
+const std::vector<dialects::HostRow<HostCall>>& HostRows() {
+  static const Rows rows = [] {
+    Rows all = ExchangeRows();
+    for (const Rows& further : {RequestRows(), NoticeRows()}) all.insert(all.end(), further.begin(), further.end());
+    return all;
+  }();
   return rows;
 }
 
