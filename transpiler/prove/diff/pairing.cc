@@ -36,9 +36,20 @@ Pairing::Pairing(terms::Terms& terms, const machine::Version& old_version, const
   for (uint32_t i = 0; i < old_version.cells.count; ++i) equal_[i] = match.new_of_old[i].valid();
 }
 
-terms::TermId& Pairing::VariableOf(Which which, uint32_t cell, bool shared, bool byte) {
-  const uint64_t side = shared ? 2 : which == Which::kOld ? 0 : 1;
-  return variables_[uint64_t{cell} << 3 | side << 1 | (byte ? 1 : 0)];
+terms::TermId& Pairing::VariableOf(Owner owner, uint32_t cell, Extent extent) {
+  return variables_[uint64_t{cell} << 3 | static_cast<uint64_t>(owner) << 1 | static_cast<uint64_t>(extent)];
+}
+
+std::string Pairing::PrefixOf(Owner owner) {
+  switch (owner) {
+    case Owner::kOld:
+      return "old ";
+    case Owner::kNew:
+      return "new ";
+    case Owner::kBoth:
+      break;
+  }
+  return {};
 }
 
 /// All bits of the byte are equal, and the other version has them in one byte, too.
@@ -53,21 +64,21 @@ bool Pairing::SharesByte(execute::CellId first) const {
          (old_words_[first.index] || new_words_[partner.index]);
 }
 
-terms::TermId Pairing::Bit(Which which, execute::CellId id, bool shared) {
-  const machine::Version& version = this->version(which);
+terms::TermId Pairing::Bit(Owner owner, execute::CellId id) {
+  const machine::Version& version = VersionOf(owner);
   const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
   const execute::CellId first(id.index - cell.bit);
-  const bool as_byte = shared ? SharesByte(first) : (which == Which::kOld ? old_words_ : new_words_)[first.index];
-  const std::string prefix = shared ? "" : which == Which::kOld ? "old " : "new ";
+  const bool as_byte =
+      owner == Owner::kBoth ? SharesByte(first) : (owner == Owner::kOld ? old_words_ : new_words_)[first.index];
   if (!as_byte) {
-    terms::TermId& variable = VariableOf(which, id.index, shared, false);
-    if (!variable.valid()) variable = terms_.Variable(prefix + execute::CellName(*version.program, cell), 1);
+    terms::TermId& variable = VariableOf(owner, id.index, Extent::kCell);
+    if (!variable.valid()) variable = terms_.Variable(PrefixOf(owner) + execute::CellName(*version.program, cell), 1);
     return variable;
   }
-  terms::TermId& variable = VariableOf(which, first.index, shared, true);
+  terms::TermId& variable = VariableOf(owner, first.index, Extent::kByte);
   if (!variable.valid()) {
-    variable =
-        terms_.Variable(prefix + version.program->spaces[cell.space].name + "." + std::to_string(cell.offset), 8);
+    variable = terms_.Variable(
+        PrefixOf(owner) + version.program->spaces[cell.space].name + "." + std::to_string(cell.offset), 8);
   }
   return terms_.Extract(variable, cell.bit, 1);
 }
@@ -77,18 +88,15 @@ terms::TermId Pairing::Initial(Which which, execute::CellId id) {
   const bool shared = old_cell.valid() && equal_[old_cell.index];
   const terms::TermId constant = ConstantOf(which, id);
   if (constant.valid() && (!shared || IsConstantPair(old_cell))) return constant;
-  if (shared) {
-    which = Which::kOld;
-    id = old_cell;
-  }
-  const machine::Version& version = this->version(which);
+  const Owner owner = shared ? Owner::kBoth : which == Which::kOld ? Owner::kOld : Owner::kNew;
+  if (shared) id = old_cell;
+  const machine::Version& version = VersionOf(owner);
   const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
-  if (cell.kind == execute::CellKind::kBit) return Bit(which, id, shared);
-  terms::TermId& variable = VariableOf(which, id.index, shared, false);
+  if (cell.kind == execute::CellKind::kBit) return Bit(owner, id);
+  terms::TermId& variable = VariableOf(owner, id.index, Extent::kCell);
   if (!variable.valid()) {
-    const std::string prefix = shared ? "" : which == Which::kOld ? "old " : "new ";
-    variable =
-        terms_.Variable(prefix + execute::CellName(*version.program, cell), execute::CellWidth(*version.program, cell));
+    variable = terms_.Variable(PrefixOf(owner) + execute::CellName(*version.program, cell),
+                               execute::CellWidth(*version.program, cell));
   }
   return variable;
 }

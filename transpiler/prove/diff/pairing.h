@@ -1,6 +1,7 @@
 // The state of two versions as variables: what is assumed equal is one variable, the rest is one for each version.
 #pragma once
 
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -45,9 +46,16 @@ class Pairing {
     const std::vector<terms::TermId>& constants = which == Which::kOld ? old_constants_ : new_constants_;
     return cell.valid() && cell.index < constants.size() ? constants[cell.index] : terms::TermId();
   }
-  terms::TermId Bit(Which which, execute::CellId cell, bool shared);
+  /// Whose variable it is. What is equal has one for both versions, by the old one's cells.
+  enum class Owner : uint8_t { kOld, kNew, kBoth };
+  const machine::Version& VersionOf(Owner owner) const { return owner == Owner::kNew ? new_ : old_; }
+  /// What a variable stands for: a cell, or the byte that begins with it.
+  enum class Extent : uint8_t { kCell, kByte };
+  /// Of the name of its variables.
+  static std::string PrefixOf(Owner owner);
+  terms::TermId Bit(Owner owner, execute::CellId cell);
   bool SharesByte(execute::CellId old_cell) const;
-  terms::TermId& VariableOf(Which which, uint32_t cell, bool shared, bool byte);
+  terms::TermId& VariableOf(Owner owner, uint32_t cell, Extent extent);
 
   terms::Terms& terms_;
   const machine::Version& old_;

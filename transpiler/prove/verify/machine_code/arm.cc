@@ -1,8 +1,6 @@
 // What instructions of ARM's Thumb do (ARMv7-M Architecture Reference Manual, A7.7): those that compute in integers.
 #include "transpiler/prove/verify/machine_code/arm_lifter.h"
 
-#include <llvm/IR/Intrinsics.h>
-
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -19,6 +17,7 @@ constexpr ArmRow kArmRows[] = {
 #define PLCXX_ARM_SHIFT(NAME, SHIFT) {.name = #NAME, .form = ArmForm::kShift, .shift = ArmShift::SHIFT},
 #define PLCXX_ARM_ACCESS(NAME, FORM, BITS, SIGN, SCALE) \
   {.name = #NAME, .form = ArmForm::FORM, .bits = BITS, .has_sign = SIGN, .scale = SCALE},
+#define PLCXX_ARM_WIDEN(NAME, FORM, BITS, SIGN) {.name = #NAME, .form = ArmForm::FORM, .bits = BITS, .has_sign = SIGN},
 #define PLCXX_ARM_MANY(NAME, FORM) {.name = #NAME, .form = ArmForm::FORM},
 #define PLCXX_ARM_OTHER(NAME, FORM) {.name = #NAME, .form = ArmForm::FORM},
 #include "transpiler/prove/verify/machine_code/arm.def"
@@ -100,24 +99,52 @@ void ArmLifter::Insert(llvm::Value* bits) {
   lifter_.Set(RegisterAt(0), build_.CreateOr(others, moved));
 }
 
-void ArmLifter::Extend(bool has_sign, unsigned bits, bool adds) {
-  const unsigned from = adds ? 2 : 1;
-  llvm::Value* value = Get(from);
-  if (operand_count() > from + 1 && NumberAt(from + 1) != 0)
-    value = ShiftBy(value, ArmShift::kRotate, static_cast<unsigned>(8 * NumberAt(from + 1))).value;
-  value = build_.CreateTrunc(value, build_.getIntNTy(bits));
-  value = has_sign ? build_.CreateSExt(value, lifter_.Word()) : build_.CreateZExt(value, lifter_.Word());
-  lifter_.Set(RegisterAt(0), adds ? build_.CreateAdd(Get(1), value) : value);
+llvm::Value* ArmLifter::Widened(llvm::Value* value, llvm::Type* type) {
+  return row_.has_sign ? build_.CreateSExt(value, type) : build_.CreateZExt(value, type);
 }
 
-void ArmLifter::MultiplyLong(bool has_sign) {
+void ArmLifter::TakeBits() {
+  const auto low = static_cast<unsigned>(NumberAt(2)), width = static_cast<unsigned>(NumberAt(3)) + 1;
+  llvm::Value* top = build_.CreateShl(Get(1), lifter_.Number(32 - low - width));
+  llvm::Value* count = lifter_.Number(32 - width);
+  lifter_.Set(RegisterAt(0), row_.has_sign ? build_.CreateAShr(top, count) : build_.CreateLShr(top, count));
+}
+
+llvm::Value* ArmLifter::Extended(unsigned operand) {
+  llvm::Value* value = Get(operand);
+  if (operand_count() > operand + 1 && NumberAt(operand + 1) != 0)
+    value = ShiftBy(value, ArmShift::kRotate, static_cast<unsigned>(8 * NumberAt(operand + 1))).value;
+  return Widened(build_.CreateTrunc(value, build_.getIntNTy(row_.bits)), lifter_.Word());
+}
+
+void ArmLifter::MultiplyLong() {
   llvm::Type* wide = build_.getInt64Ty();
-  const auto widen = [&](llvm::Value* value) {
-    return has_sign ? build_.CreateSExt(value, wide) : build_.CreateZExt(value, wide);
-  };
-  llvm::Value* product = build_.CreateMul(widen(Get(2)), widen(Get(3)));
+  llvm::Value* a = Widened(Get(2), wide);
+  llvm::Value* product = build_.CreateMul(a, Widened(Get(3), wide));
   lifter_.Set(RegisterAt(0), build_.CreateTrunc(product, lifter_.Word()));
   lifter_.Set(RegisterAt(1), build_.CreateTrunc(build_.CreateLShr(product, 32), lifter_.Word()));
+}
+
+void ArmLifter::MultiplyHalves() {
+  const auto half = [&](unsigned operand) {
+    return build_.CreateSExt(build_.CreateTrunc(Get(operand), build_.getInt16Ty()), lifter_.Word());
+  };
+  llvm::Value* a = half(1);
+  lifter_.Set(RegisterAt(0), build_.CreateMul(a, half(2)));
+}
+
+void ArmLifter::MoveTop() {
+  if (const Link* link = lifter_.LinkAt({llvm::ELF::R_ARM_THM_MOVT_ABS})) return MoveTopOf(*link);
+  lifter_.Set(RegisterAt(0), build_.CreateOr(build_.CreateAnd(Get(1), lifter_.Number(0xFFFF)),
+                                             lifter_.Number(static_cast<uint64_t>(NumberAt(2)) << 16)));
+}
+
+/// A function of LLVM's, of the first operand and of what else it takes.
+void ArmLifter::Apply(llvm::Intrinsic::ID id, std::vector<llvm::Value*> more) {
+  std::vector<llvm::Value*> arguments = {Get(1)};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  llvm::Function* function = llvm::Intrinsic::getDeclaration(&lifter_.program().module(), id, {lifter_.Word()});
+  lifter_.Set(RegisterAt(0), build_.CreateCall(function, arguments));
 }
 
 const Link* ArmLifter::Callee(const Link* link) {
@@ -151,16 +178,6 @@ void ArmLifter::Branch(llvm::Value* condition) {
 }
 
 void ArmLifter::Run() {
-  const auto unary = [this](llvm::Intrinsic::ID id, std::vector<llvm::Value*> more) {
-    std::vector<llvm::Value*> arguments = {Get(1)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    llvm::Function* function = llvm::Intrinsic::getDeclaration(&lifter_.program().module(), id, {lifter_.Word()});
-    lifter_.Set(RegisterAt(0), build_.CreateCall(function, arguments));
-  };
-  const auto zero = [this](unsigned operand, bool is) {
-    llvm::Value* none = lifter_.Number(0);
-    return is ? build_.CreateICmpEQ(Get(operand), none) : build_.CreateICmpNE(Get(operand), none);
-  };
   switch (row_.form) {
     case ArmForm::kCompute:
     case ArmForm::kCompare:
@@ -195,43 +212,23 @@ void ArmLifter::Run() {
     case ArmForm::kLoadConstant:
       return LoadConstant();
     case ArmForm::kMoveTop:
-      if (const Link* link = lifter_.LinkAt({llvm::ELF::R_ARM_THM_MOVT_ABS})) return MoveTopOf(*link);
-      lifter_.Set(RegisterAt(0), build_.CreateOr(build_.CreateAnd(Get(1), lifter_.Number(0xFFFF)),
-                                                 lifter_.Number(static_cast<uint64_t>(NumberAt(2)) << 16)));
-      return;
+      return MoveTop();
     case ArmForm::kBits:
-    case ArmForm::kBitsSigned: {
-      const auto low = static_cast<unsigned>(NumberAt(2)), width = static_cast<unsigned>(NumberAt(3)) + 1;
-      llvm::Value* top = build_.CreateShl(Get(1), lifter_.Number(32 - low - width));
-      llvm::Value* count = lifter_.Number(32 - width);
-      lifter_.Set(RegisterAt(0),
-                  row_.form == ArmForm::kBits ? build_.CreateLShr(top, count) : build_.CreateAShr(top, count));
-      return;
-    }
+      return TakeBits();
     case ArmForm::kInsert:
       return Insert(Get(2));
     case ArmForm::kClear:
       return Insert(lifter_.Number(0));
-    case ArmForm::kUnsignedByte:
-      return Extend(false, 8, false);
-    case ArmForm::kUnsignedHalf:
-      return Extend(false, 16, false);
-    case ArmForm::kSignedByte:
-      return Extend(true, 8, false);
-    case ArmForm::kSignedHalf:
-      return Extend(true, 16, false);
-    case ArmForm::kAddUnsignedByte:
-      return Extend(false, 8, true);
-    case ArmForm::kAddUnsignedHalf:
-      return Extend(false, 16, true);
-    case ArmForm::kAddSignedByte:
-      return Extend(true, 8, true);
-    case ArmForm::kAddSignedHalf:
-      return Extend(true, 16, true);
+    case ArmForm::kExtend:
+      return lifter_.Set(RegisterAt(0), Extended(1));
+    case ArmForm::kAddExtended: {
+      llvm::Value* extended = Extended(2);
+      return lifter_.Set(RegisterAt(0), build_.CreateAdd(Get(1), extended));
+    }
     case ArmForm::kLeadingZeros:
-      return unary(llvm::Intrinsic::ctlz, {build_.getFalse()});
+      return Apply(llvm::Intrinsic::ctlz, {build_.getFalse()});
     case ArmForm::kReverse:
-      return unary(llvm::Intrinsic::bswap, {});
+      return Apply(llvm::Intrinsic::bswap, {});
     case ArmForm::kMul: {
       llvm::Value* product = build_.CreateMul(Get(1), Get(2));
       if (sets_flags()) SetSignAndZero(product);
@@ -245,16 +242,9 @@ void ArmLifter::Run() {
       lifter_.Set(RegisterAt(0), build_.CreateSub(Get(3), build_.CreateMul(Get(1), Get(2))));
       return;
     case ArmForm::kMulLong:
-      return MultiplyLong(false);
-    case ArmForm::kMulLongSigned:
-      return MultiplyLong(true);
-    case ArmForm::kMulHalves: {
-      const auto half = [&](unsigned operand) {
-        return build_.CreateSExt(build_.CreateTrunc(Get(operand), build_.getInt16Ty()), lifter_.Word());
-      };
-      lifter_.Set(RegisterAt(0), build_.CreateMul(half(1), half(2)));
-      return;
-    }
+      return MultiplyLong();
+    case ArmForm::kMulHalves:
+      return MultiplyHalves();
     // By 0 it is 0, where the processor does not trap.
     case ArmForm::kDiv:
       return lifter_.Set(RegisterAt(0), lifter_.Divide(Get(1), Get(2), llvm::Instruction::UDiv, lifter_.Number(0)));
@@ -265,9 +255,9 @@ void ArmLifter::Run() {
     case ArmForm::kBranch:
       return Branch(Condition());
     case ArmForm::kBranchZero:
-      return Branch(zero(0, true));
+      return Branch(build_.CreateICmpEQ(Get(0), lifter_.Number(0)));
     case ArmForm::kBranchNotZero:
-      return Branch(zero(0, false));
+      return Branch(build_.CreateICmpNE(Get(0), lifter_.Number(0)));
     case ArmForm::kCall:
       if (const Link* link = lifter_.LinkAt({llvm::ELF::R_ARM_THM_CALL})) {
         if (const Link* callee = Callee(link)) lifter_.Call(*callee);

@@ -1,9 +1,12 @@
 // One instruction of ARM's Thumb: what arm.cc and arm_memory.cc share.
 #pragma once
 
+#include <llvm/IR/Intrinsics.h>
+
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "transpiler/prove/verify/machine_code/arm_operands.h"
 
@@ -37,24 +40,16 @@ enum class ArmForm : uint8_t {
   kLoadConstant,
   kMoveTop,
   kBits,
-  kBitsSigned,
   kInsert,
   kClear,
-  kUnsignedByte,
-  kUnsignedHalf,
-  kSignedByte,
-  kSignedHalf,
-  kAddUnsignedByte,
-  kAddUnsignedHalf,
-  kAddSignedByte,
-  kAddSignedHalf,
+  kExtend,
+  kAddExtended,
   kLeadingZeros,
   kReverse,
   kMul,
   kMulAdd,
   kMulSub,
   kMulLong,
-  kMulLongSigned,
   kMulHalves,
   kDiv,
   kDivSigned,
@@ -96,10 +91,16 @@ class ArmLifter : public ArmOperands {
   void RefuseBelowStack(unsigned base, unsigned offset);
   void LoadConstant();
   void Insert(llvm::Value* bits);
-  void Extend(bool has_sign, unsigned bits, bool adds);
+  void TakeBits();
+  /// The register's lowest bits as a word, by the row's sign.
+  llvm::Value* Extended(unsigned operand);
   static std::optional<Place> PlaceOf(const Link& link, int64_t addend);
   void MoveTopOf(const Link& link);
-  void MultiplyLong(bool has_sign);
+  void MultiplyLong();
+  void MultiplyHalves();
+  void MoveTop();
+  void Apply(llvm::Intrinsic::ID id, std::vector<llvm::Value*> more);
+  llvm::Value* Widened(llvm::Value* value, llvm::Type* type);
   /// Where the note leads to, from its first instruction on; none: it is refused.
   const Link* Callee(const Link* link);
   void Jump();

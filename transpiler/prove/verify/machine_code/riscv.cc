@@ -101,7 +101,9 @@ class RiscvLifter {
   /// A base register and an offset, or the two parts of a symbol's address.
   llvm::Value* Address(uint64_t pc_note, uint64_t absolute_note);
   llvm::Value* Compute(llvm::Value* a, llvm::Value* b);
-  llvm::Value* High(llvm::Value* a, llvm::Value* b, bool a_signed, bool b_signed);
+  enum class Sign : uint8_t { kNone, kHas };
+  /// The upper half of a product.
+  llvm::Value* High(llvm::Value* a, Sign of_a, llvm::Value* b, Sign of_b);
   llvm::Value* Compare(llvm::Value* a, llvm::Value* b) { return build_.CreateICmp(row_.predicate, a, b); }
   void SetConstant();
   void SetUpper(const Link& link);
@@ -121,13 +123,13 @@ class RiscvLifter {
   const llvm::MCInst& inst_;
 };
 
-llvm::Value* RiscvLifter::High(llvm::Value* a, llvm::Value* b, bool a_signed, bool b_signed) {
+llvm::Value* RiscvLifter::High(llvm::Value* a, Sign of_a, llvm::Value* b, Sign of_b) {
   const unsigned bits = lifter_.Word()->getBitWidth();
   llvm::Type* wide = build_.getIntNTy(2 * bits);
-  const auto widen = [&](llvm::Value* value, bool has_sign) {
-    return has_sign ? build_.CreateSExt(value, wide) : build_.CreateZExt(value, wide);
+  const auto widen = [&](llvm::Value* value, Sign sign) {
+    return sign == Sign::kHas ? build_.CreateSExt(value, wide) : build_.CreateZExt(value, wide);
   };
-  llvm::Value* product = build_.CreateMul(widen(a, a_signed), widen(b, b_signed));
+  llvm::Value* product = build_.CreateMul(widen(a, of_a), widen(b, of_b));
   return build_.CreateTrunc(build_.CreateLShr(product, bits), lifter_.Word());
 }
 
@@ -153,11 +155,11 @@ llvm::Value* RiscvLifter::Compute(llvm::Value* a, llvm::Value* b) {
     case Operation::kMul:
       return build_.CreateMul(a, b);
     case Operation::kMulHighSigned:
-      return High(a, b, true, true);
+      return High(a, Sign::kHas, b, Sign::kHas);
     case Operation::kMulHigh:
-      return High(a, b, false, false);
+      return High(a, Sign::kNone, b, Sign::kNone);
     case Operation::kMulHighMixed:
-      return High(a, b, true, false);
+      return High(a, Sign::kHas, b, Sign::kNone);
     // By 0 all ones, and as rest the dividend.
     case Operation::kDiv:
       return lifter_.Divide(a, b, llvm::Instruction::UDiv, lifter_.Number(~uint64_t{0}));
