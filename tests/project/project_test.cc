@@ -124,8 +124,6 @@ programs:
   EXPECT_EQ(mill.include.back() + "/", folder.Path(""));
   EXPECT_EQ(FindProgram(project, "lathe"), &project.programs[0]);
   EXPECT_EQ(FindProgram(project, "saw"), nullptr);
-  EXPECT_TRUE(HasSource(mill, folder.Path("mill/m.plc")));
-  EXPECT_FALSE(HasSource(mill, folder.Path("b.plc")));
 }
 
 TEST(Project, IsFoundUpwardsAsFarAsTheVersionedFolder) {

@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/symbolic/smt_text.h"
 #include "tests/temporary_directory.h"
 #include "transpiler/symbolic/solver/deadline.h"
 #include "transpiler/symbolic/solver/sweep.h"

@@ -122,11 +122,4 @@ const Program* FindProgram(const Project& project, std::string_view name) {
   return nullptr;
 }
 
-bool HasSource(const Program& program, const std::string& file) {
-  std::error_code error;
-  return std::ranges::any_of(program.sources, [&](const std::string& source) {
-    return fs::equivalent(compilation::FromBase(program.folder, source), file, error);
-  });
-}
-
 }  // namespace plcxx::project

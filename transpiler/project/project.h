@@ -78,7 +78,4 @@ compilation::CompilationRequest RequestOf(const Program& program);
 const Program* FindProgram(const Project& project, std::string_view name);
 std::string NameOf(const Program& program);
 
-/// Whether a file (as opened from the current directory) is a source of the program.
-bool HasSource(const Program& program, const std::string& file);
-
 }  // namespace plcxx::project

@@ -71,8 +71,4 @@ using MakeSolverFunction = Solver*(const terms::Terms& terms);
 inline constexpr const char* kSolverModule = "plcxx_z3.so";
 inline constexpr const char* kMakeSolver = "plcxx_make_solver";
 
-/// A question as SMT-LIB 2 text (QF_UFBV): declarations of what the conditions depend on, an assertion for each, and
-/// (check-sat). The same question gives the same bytes.
-std::string SmtText(const terms::Terms& terms, std::span<const terms::TermId> conditions);
-
 }  // namespace plcxx::solver

@@ -161,7 +161,6 @@ struct InstructionInfo {
   OperandRole operands[kMostOperands];
 };
 const InstructionInfo& Info(Op op);
-inline bool HasQ(RungEffect effect) { return effect == RungEffect::kCompare || effect == RungEffect::kElement; }
 
 enum class TimerUnit : uint8_t { kHundredMs, kSecond, kMinute };
 /// In ms.

@@ -1,6 +1,7 @@
+#include "tests/symbolic/smt_text.h"
+
 #include <vector>
 
-#include "transpiler/symbolic/solver/solver.h"
 #include "transpiler/symbolic/terms/cone.h"
 
 namespace plcxx::solver {
