@@ -1,4 +1,4 @@
-// A directory that is gone when the test ends. Tests write nowhere else (tests/policy/leftovers_test.cc).
+// A directory that is gone when the test ends. Tests write nowhere else (tests/policy/sources_test.cc).
 #pragma once
 
 #include <stdlib.h>

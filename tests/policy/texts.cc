@@ -1,8 +1,11 @@
 #include "tests/policy/texts.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <functional>
 #include <regex>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -37,6 +40,39 @@ void CheckLines(const std::string& root, const std::string& file, const std::vec
       }
     }
   }
+}
+
+/// What is after the "//" of a line, but for one in a literal.
+std::string_view CommentOf(std::string_view line) {
+  for (size_t at = line.find("//"); at != std::string_view::npos; at = line.find("//", at + 1)) {
+    if (std::ranges::count(line.substr(0, at), '"') % 2 == 0) return line.substr(at + 2);
+  }
+  return {};
+}
+
+/// Such as "solver.h" and "prove/diff/compare.h"; what is written with a placeholder, or as a compiler's own, is none.
+std::vector<std::string_view> SourcesNamedIn(std::string_view comment) {
+  const auto is_of_name = [](char c) {
+    return std::islower(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
+  };
+  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  std::vector<std::string_view> names;
+  for (const std::string_view ending : {".h", ".cc", ".def"}) {
+    for (size_t at = comment.find(ending); at != std::string_view::npos; at = comment.find(ending, at + 1)) {
+      const size_t end = at + ending.size();
+      size_t begin = at;
+      while (begin > 0 &&
+             (is_of_name(comment[begin - 1]) || std::isdigit(static_cast<unsigned char>(comment[begin - 1]))))
+        --begin;
+      const bool is_cut =
+          begin > 0 && std::string_view("<>*$\"{}-.").find(comment[begin - 1]) != std::string_view::npos;
+      const bool is_name =
+          begin < at && comment[begin] != '/' && !is_cut && (begin == 0 || !is_word(comment[begin - 1]));
+      if (is_name && (end == comment.size() || !is_word(comment[end])))
+        names.push_back(comment.substr(begin, end - begin));
+    }
+  }
+  return names;
 }
 
 }  // namespace
@@ -101,6 +137,50 @@ Findings CheckNamedFiles(const std::string& root) {
     }
   }
   if (found == 0) findings.push_back("no document names a file");
+  return findings;
+}
+
+Findings CheckNamedSources(const std::string& root) {
+  std::set<std::string, std::less<>> ends;  // of the paths of all files
+  for (const std::string& file : FilesBelow(root, "")) {
+    for (size_t at = 0; at != std::string::npos; at = file.find('/', at)) {
+      at += at == 0 ? 0 : 1;
+      ends.insert(file.substr(at));
+    }
+  }
+  Findings findings;
+  size_t found = 0;
+  for (const char* folder : {"transpiler", "runtime_support", "tests"}) {
+    for (const std::string& file : FilesBelow(root, folder, {".h", ".cc", ".def"})) {
+      if (file.starts_with("tests/golden/")) continue;
+      size_t number = 0;
+      for (const std::string& line : Lines(ReadFile(root + "/" + file))) {
+        ++number;
+        for (const std::string_view name : SourcesNamedIn(CommentOf(line))) {
+          ++found;
+          if (!ends.contains(name)) findings.push_back(Place(file, number) + "there is no '" + std::string(name) + "'");
+        }
+      }
+    }
+  }
+  if (found == 0) findings.push_back("no comment names a source");
+  return findings;
+}
+
+Findings CheckNamedFolders(const std::string& root) {
+  const std::string text = ReadFile(root + "/CONTRIBUTING.md");
+  std::set<std::string> folders;
+  for (const std::string& file : FilesBelow(root, "transpiler")) {
+    const size_t begin = file.find('/') + 1, end = file.find('/', begin);
+    if (end != std::string::npos) folders.insert(file.substr(0, end));
+  }
+  Findings findings;
+  for (const std::string& folder : folders) {
+    const bool is_named =
+        text.find('`' + folder + '`') != std::string::npos || text.find('`' + folder + '/') != std::string::npos;
+    if (!is_named) findings.push_back("CONTRIBUTING.md does not say what " + folder + " is");
+  }
+  if (folders.empty()) findings.push_back("there are no folders");
   return findings;
 }
 

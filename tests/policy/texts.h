@@ -16,6 +16,12 @@ Findings CheckPrivate(const std::string& root);
 /// Files of the repository that a document names between backticks, and that are not there.
 Findings CheckNamedFiles(const std::string& root);
 
+/// Sources (.h, .cc, .def) that a comment of a source names, by their path or its end, and that are not there.
+Findings CheckNamedSources(const std::string& root);
+
+/// Folders directly below transpiler/ that CONTRIBUTING.md does not name.
+Findings CheckNamedFolders(const std::string& root);
+
 /// Files that a page of the documents, or the README, has its reader write ("file=NAME" behind the fence, which no
 /// browser shows), and whose name is not in the paragraph above.
 Findings CheckShownFiles(const std::string& root);

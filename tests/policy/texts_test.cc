@@ -30,6 +30,29 @@ TEST(NamedFiles, ARuleWithoutDocumentsFails) {
   EXPECT_THAT(CheckNamedFiles(Fixture("generated")), ElementsAre("no document names a file"));
 }
 
+TEST(NamedSources, AreThere) { EXPECT_THAT(CheckNamedSources(Root()), IsEmpty()); }
+
+TEST(NamedSources, FixtureNamesTwoThatAreNot) {
+  EXPECT_THAT(CheckNamedSources(Fixture("named_sources")),
+              ElementsAre(HasSubstr("transpiler/ir/here.h:2: there is no 'moved.h'"),
+                          HasSubstr("transpiler/ir/here.h:5: there is no 'ir/gone.cc'")));
+}
+
+TEST(NamedSources, ARuleWithoutCommentsFails) {
+  EXPECT_THAT(CheckNamedSources(Fixture("generated")), ElementsAre("no comment names a source"));
+}
+
+TEST(NamedFolders, AllAre) { EXPECT_THAT(CheckNamedFolders(Root()), IsEmpty()); }
+
+TEST(NamedFolders, FixtureLeavesOneOut) {
+  EXPECT_THAT(CheckNamedFolders(Fixture("named_folders")),
+              ElementsAre("CONTRIBUTING.md does not say what transpiler/yaml is"));
+}
+
+TEST(NamedFolders, ARuleWithoutFoldersFails) {
+  EXPECT_THAT(CheckNamedFolders(Fixture("shown_files")), ElementsAre("there are no folders"));
+}
+
 // The name of a file that the reader is to write is read where the page is read.
 TEST(ShownFiles, HaveTheirNameAboveThem) { EXPECT_THAT(CheckShownFiles(Root()), IsEmpty()); }
 

@@ -3,7 +3,7 @@
 // In: a simulator, compiled code, or both. Out: the engine that a scenario drives, and the first difference. The first
 // engine answers for all. Its host calls are answered by whoever drives the scenario; the others, which execute the
 // same period after it, must make the same calls and get the same answers, with the same changes of memory. Not its
-// job: what a difference means for a scenario (scenario_run.h).
+// job: what a difference means for a scenario (scenarios/run.h).
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // One program being looked at: running or not, where it stops, what is watched and what it has said.
 //
 // In: wishes of the operator (commands.h reads them), and real time (how many periods are due). Out: the machine after
-// each of them, to be shown (view.h). Nothing here runs by itself, and one caller at a time is served. Not its job:
-// HTTP and threads.
+// each of them, to be shown (state_view.h). Nothing here runs by itself, and one caller at a time is served. Not its
+// job: HTTP and threads.
 #pragma once
 
 #include <cstdint>

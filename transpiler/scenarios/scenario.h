@@ -1,7 +1,7 @@
 // A scenario file as it is written: what to compile, with which options, and the steps to run.
 //
 // In: YAML (section 6 of the design). Out: a Scenario, every word of it with its line and column, or all that is wrong
-// with the file. Not its job: what a location or a value means (scenario_plan.h) and running (scenario_run.h).
+// with the file. Not its job: what a location or a value means (plan.h) and running (run.h).
 #pragma once
 
 #include <cstdint>

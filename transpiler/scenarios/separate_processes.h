@@ -3,7 +3,7 @@
 //
 // In: groups of items, each the work of one child. Out: for each item the bytes that the work reported, or why there
 // are none. What a child was at when it ended badly is to blame; the rest of its group gets a new child. Not its job:
-// what the work is (scenario_suite.cc).
+// what the work is (suite.cc).
 #pragma once
 
 #include <cstdint>

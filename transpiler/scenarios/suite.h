@@ -79,7 +79,7 @@ std::unique_ptr<PropertyMonitor> MonitorOf(const Scenario& scenario, const compi
 ScenarioResult TestScenario(const Scenario& scenario, const SuiteOptions& options, ScenarioProgram& program);
 
 /// All of them, in child processes: one that crashes plcxx, or does not end, fails, and the others go on. Their
-/// programs are compiled for a platform together (scenario_groups.h). `report` is called once for each, in order, as
+/// programs are compiled for a platform together (groups.h). `report` is called once for each, in order, as
 /// soon as it and those before it are done.
 std::vector<ScenarioResult> TestScenarios(const std::vector<std::string>& paths, const SuiteOptions& options,
                                           const std::function<void(const ScenarioResult&)>& report);

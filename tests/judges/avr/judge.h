@@ -119,7 +119,7 @@ SHIFT(ul, unsigned long, 32)
     arm_;                           \
   })
 
-// stdlib.h of the dialect
+// <stdlib.h> of the dialect
 #define abs judge_abs
 #define labs judge_labs
 static int abs(int a) { return a < 0 ? -a : a; }

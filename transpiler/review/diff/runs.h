@@ -43,7 +43,7 @@ struct RunRequest {
 inline constexpr size_t kMostSought = 400;  // cells, of a search that is not quick; of more it does nothing
 
 /// Runs of both versions from power-on, in the simulator, with the same random inputs at the same time. A thorough
-/// search ends when all of the cells have differed, or with its share of the time. Adds to `result`. See diff_search.h
+/// search ends when all of the cells have differed, or with its share of the time. Adds to `result`. See search.h
 /// for what begins with a machine at work.
 void RunBoth(const DiffSide& old_side, const DiffSide& new_side, const RunRequest& request, const DiffOptions& options,
              RandomRuns& result);

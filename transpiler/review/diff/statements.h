@@ -1,6 +1,6 @@
 // How a statement that matters to a difference is shown: its place, and the line of it that was changed.
 //
-// In: a version's statements. Out: their lines for a reader. Not its job: which statements matter (diff_compare.cc).
+// In: a version's statements. Out: their lines for a reader. Not its job: which statements matter (compare.cc).
 #pragma once
 
 #include <set>

@@ -18,7 +18,7 @@ struct Access {
 };
 
 /// In source order. An operand that is read and written (NEG) is there twice. Timers and counters named by their blocks
-/// are not; the signals that axis blocks write are not (axis_signals.h).
+/// are not; the signals that axis blocks write are not (lowering/axes.h).
 std::vector<Access> AccessesOf(const Program& program);
 
 }  // namespace plcxx::host50
