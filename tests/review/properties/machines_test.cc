@@ -64,7 +64,7 @@ TEST_P(ProveMachines, WhatDoesNotHoldIsShown) {
 
 INSTANTIATE_TEST_SUITE_P(EachLanguage, ProveMachines,
                          ::testing::Values("classicladder_page.clp", "hnc_press.cld", "host50_feed.il",
-                                           "nc110_clamp.plc", "nc110_timers.plc", "prostep_drum.plc",
+                                           "nc110_clamp.plc", "nc110_gears.plc", "nc110_timers.plc", "prostep_drum.plc",
                                            "prostep_press.plc", "technol_arm.plc", "technol_functions.plc"),
                          [](const auto& machine) { return machine.param.substr(0, machine.param.find('.')); });
 

@@ -111,6 +111,7 @@ bool PropertyChecker::TryCounting(const Property& property, PropertyResult& resu
     return counters.Find(variable);
   };
   ReachQuestion question = QuestionOf(bad, more);
+  question.rest_ms = [this] { return RestMs(); };
   const bool has_clock = relation.fast().empty();
   if (has_clock) {
     // The time goes on by one period from part to part; elsewhere it may be any, which is soon found out.
@@ -137,7 +138,9 @@ bool PropertyChecker::TryCounting(const Property& property, PropertyResult& resu
   for (const execute::CellId cell : behind) {
     const terms::TermId variable = relation.VariableOf(cell);
     const bool is_bit = terms_.Width(variable) == 1 && !new_each_time_[cell.index];
-    const bool is_named = std::ranges::find(operands, cell) != operands.end();
+    const bool is_named = std::ranges::any_of(property.operands, [cell](const PropertyOperand& operand) {
+      return operand.cells.size() == 1 && operand.cells.front() == cell;
+    });
     if (is_bit && (is_named || !of_numbers.contains(variable))) times.bits.push_back(variable);
   }
   const std::vector<terms::TermId> facts = FindTimeFacts(times);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -35,8 +36,11 @@ class Cone {
 std::vector<execute::CellId> CellsIn(const terms::Terms& terms, terms::TermId term,
                                      const std::map<execute::CellId, terms::TermId>& variables);
 
-/// The cells on which the future of `cells` depends, themselves first, then by the number of parts of a period that it
-/// takes.
+/// By variable, the constants with which it, or a sum or choice of it, is compared in the roots.
+std::map<terms::TermId, std::set<uint64_t>> ConstantsComparedWith(const terms::Terms& terms,
+                                                                  std::span<const terms::TermId> roots);
+
+/// The cells on which the future of `cells` depends, themselves first, then by the number of operations between.
 std::vector<execute::CellId> CellsBehind(const terms::Terms& terms, const machine::Relation& relation,
                                          std::span<const execute::CellId> cells);
 

@@ -6,18 +6,24 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <tuple>
 #include <utility>
 
+#include "transpiler/prove/properties/cone.h"
+#include "transpiler/prove/properties/state_runs.h"
 #include "transpiler/symbolic/terms/cone.h"
-#include "transpiler/symbolic/terms/evaluate.h"
-#include "transpiler/symbolic/terms/random.h"
 
 namespace plcxx::prove::properties {
 namespace {
 
-constexpr size_t kMostRegisters = 16, kMostLimits = 4, kMostBits = 6, kMostGuesses = 9000, kMostOffsets = 8;
+constexpr size_t kMostRegisters = 16, kMostLimits = 4, kMostBits = 6, kMostWhile = 48, kMostGuesses = 9000,
+                 kMostOffsets = 8;
+constexpr size_t kMostOwnLimits = 3;  // of a register
 constexpr size_t kMostSimulatedTerms = 60'000;
 constexpr int kShortRuns = 8, kRuns = 24, kPeriods = 700;
+constexpr size_t kMostTermsAfter = 2'000'000;  // computed in a run behind a step that ends a guess
+constexpr uint32_t kMostRefills = 8;           // weaker guesses for those that have failed
+constexpr uint64_t kNeverChanged = uint64_t{1} << 60;
 constexpr uint64_t kMostPeriodsAway = 100;  // of a clock from the time
 constexpr uint64_t kMostLimit = uint64_t{1} << 24;
 constexpr uint32_t kMostSlack = 2;  // periods that a count may be ahead
@@ -34,7 +40,8 @@ struct Register {
   std::vector<terms::TermId> variables;
   Reading reading = Reading::kValue;
   uint8_t width = 0;
-  uint64_t greatest = 0;  // in the runs that were tried
+  uint64_t greatest = 0;         // in the runs that were tried
+  std::vector<uint64_t> limits;  // with which it is compared, the greatest ones first
 };
 
 enum class Form : uint8_t {
@@ -53,6 +60,7 @@ struct Guess {
   uint64_t scale = 1, slack = 0;
   std::optional<uint64_t> limit;  // of kGrows: or the register has come that far
   std::optional<std::pair<terms::TermId, bool>> unless, also_unless, or_unless;
+  bool operator==(const Guess&) const = default;
 };
 
 /// The numbers of one state, by index of registers, counters and bits.
@@ -92,6 +100,8 @@ class Finder {
   std::vector<terms::TermId> Find();
 
  private:
+  using State = StateRuns::State;
+
   /// Its value before (part 0) or after part `part` - 1, or after power-on.
   terms::TermId ValueOf(terms::TermId variable, size_t part);
   terms::TermId NumberOf(const Register& one, size_t part);
@@ -102,15 +112,18 @@ class Finder {
   void AddGuesses();
   void AddGuessesOfBits(std::span<const std::optional<std::pair<terms::TermId, bool>>> bits,
                         const std::set<uint64_t>& scales);
+  void AddWhile(size_t known_bits);
   std::vector<uint64_t> Offsets() const;
   static std::vector<uint64_t> SlacksOf(uint64_t scale, std::span<const uint64_t> offsets);
   void DropWrongAtStart();
-  bool LookForGreatest();
+  void LookForGreatest();
   void DropClocks();
-  void KeepStrongest();
+  std::vector<Guess> Strongest() const;
   void DropContradicted();
-  bool ForEachSample(int runs, const std::function<void(const Sample&)>& visit);
-  Sample SampleOf(const std::map<terms::TermId, uint64_t>& state) const;
+  void DropContradictedFrom(const State& state);
+  void ForEachSample(int runs, const std::function<void(const Sample&)>& visit);
+  Sample SampleOf(const State& state) const;
+  void DropContradictedBy(const Sample& sample);
   bool Prove();
 
   const TimeQuestion& question_;
@@ -120,6 +133,7 @@ class Finder {
   std::vector<Register> registers_;
   std::vector<uint64_t> limits_;
   std::vector<Guess> guesses_;
+  std::optional<StateRuns> runs_;
 };
 
 terms::TermId Finder::ValueOf(terms::TermId variable, size_t part) {
@@ -207,32 +221,35 @@ void Finder::CloseOver() {
 }
 
 void Finder::AddRegisters() {
-  std::set<uint64_t> limits;
+  std::vector<terms::TermId> roots{question_.reach.bad};
+  for (const auto& [variable, word] : words_) roots.insert(roots.end(), word.next.begin(), word.next.end());
+  const std::map<terms::TermId, std::set<uint64_t>> compared = ConstantsComparedWith(terms_, roots);
   for (const std::vector<terms::TermId>& variables : question_.registers) {
     const bool known =
         std::ranges::all_of(variables, [&](terms::TermId variable) { return words_.contains(variable); });
     if (!known || registers_.size() >= kMostRegisters) continue;
     std::vector<terms::TermId> next;
     uint8_t width = 0;
+    std::set<uint64_t> limits;
     for (const terms::TermId variable : variables) {
       next.push_back(words_[variable].next.back());
       width = static_cast<uint8_t>(width + terms_.Width(variable));
+      if (const auto found = compared.find(variable); found != compared.end())
+        limits.insert(found->second.lower_bound(2), found->second.lower_bound(kMostLimit));
     }
-    bool tells_time = false;
-    for (const terms::TermId id : terms::ConeOf(terms_, next)) {
-      tells_time = tells_time || id == question_.now;
-      const uint64_t value = terms_[id].kind == terms::TermKind::kConst ? terms_.Value(id) : 0;
-      if (value > 1 && value < kMostLimit) limits.insert(value);
+    const std::vector<terms::TermId> cone = terms::ConeOf(terms_, next);
+    const bool tells_time = std::ranges::find(cone, question_.now) != cone.end();
+    // The greatest ones: presets and periods, not steps on the way to them.
+    std::vector<uint64_t> own(limits.rbegin(), limits.rend());
+    if (own.size() > kMostOwnLimits) own.resize(kMostOwnLimits);
+    for (const uint64_t limit : own) {
+      if (limits_.size() < kMostLimits && std::ranges::find(limits_, limit) == limits_.end()) limits_.push_back(limit);
     }
-    registers_.push_back({.variables = variables, .reading = Reading::kValue, .width = width});
+    registers_.push_back({.variables = variables, .reading = Reading::kValue, .width = width, .limits = own});
     if (!question_.now.valid() || !tells_time || width != terms_.Width(question_.now)) continue;
     for (const Reading reading : {Reading::kAhead, Reading::kBehind})
-      registers_.push_back({.variables = variables, .reading = reading, .width = width});
+      registers_.push_back({.variables = variables, .reading = reading, .width = width, .limits = own});
   }
-  // The greatest ones: presets and periods, not bits of status words.
-  limits_.assign(limits.rbegin(), limits.rend());
-  std::erase_if(limits_, [](uint64_t limit) { return (limit & (limit - 1)) == 0 && limit > 64; });
-  if (limits_.size() > kMostLimits) limits_.resize(kMostLimits);
 }
 
 /// What a count says about bits alone: it is what the others need where a timer
@@ -278,6 +295,23 @@ void Finder::AddGuessesOfBits(std::span<const std::optional<std::pair<terms::Ter
   }
 }
 
+/// While it is counted, one bit has a value: a timer's input, what stands behind the condition. These are few, and
+/// cheap.
+void Finder::AddWhile(size_t known_bits) {
+  for (size_t i = known_bits; i < std::min(question_.bits.size(), kMostWhile); ++i) {
+    if (!words_.contains(question_.bits[i])) continue;
+    for (uint32_t counter = 0; counter < question_.counters.size(); ++counter) {
+      for (const bool value : {true, false}) {
+        guesses_.push_back({.form = Form::kWhile,
+                            .counter = counter,
+                            .limit = {},
+                            .unless = std::pair(question_.bits[i], value),
+                            .also_unless = {}});
+      }
+    }
+  }
+}
+
 /// What may have passed before a register goes on: nothing, or presets of others, one after the other.
 std::vector<uint64_t> Finder::Offsets() const {
   std::set<uint64_t> times;
@@ -313,8 +347,10 @@ void Finder::AddGuesses() {
   if (question_.period_ms % 10 == 0) scales.insert(question_.period_ms / 10);
   for (uint32_t i = 0; i < registers_.size(); ++i) {
     const uint64_t greatest = registers_[i].greatest;
-    std::vector<std::optional<uint64_t>> limits(limits_.begin(), limits_.end());
-    if (greatest < kMostLimit && std::ranges::find(limits_, greatest) == limits_.end()) limits.emplace_back(greatest);
+    std::vector<std::optional<uint64_t>> limits(registers_[i].limits.begin(), registers_[i].limits.end());
+    // That it is at least 0 says nothing.
+    if (greatest != 0 && greatest < kMostLimit && std::ranges::find(limits, greatest) == limits.end())
+      limits.emplace_back(greatest);
     std::vector<std::optional<uint64_t>> or_none{std::nullopt};
     or_none.insert(or_none.end(), limits.begin(), limits.end());
     if (greatest < kMostLimit) {
@@ -344,9 +380,10 @@ void Finder::AddGuesses() {
   }
   AddGuessesOfBits(unless, scales);
   if (guesses_.size() > kMostGuesses) guesses_.resize(kMostGuesses);
+  AddWhile(unless.size() / 2);
 }
 
-Sample Finder::SampleOf(const std::map<terms::TermId, uint64_t>& state) const {
+Sample Finder::SampleOf(const State& state) const {
   Sample sample;
   for (const Register& one : registers_) {
     uint64_t number = 0, shift = 0;
@@ -359,55 +396,48 @@ Sample Finder::SampleOf(const std::map<terms::TermId, uint64_t>& state) const {
     sample.registers.push_back(number);
   }
   for (const terms::TermId counter : question_.counters) sample.counters.push_back(state.at(counter));
-  for (const terms::TermId bit : question_.bits) {
+  for (const terms::TermId bit : std::span(question_.bits).first(std::min(question_.bits.size(), kMostWhile))) {
     const auto value = state.find(bit);
     sample.bits[bit] = value == state.end() ? 0 : value->second;
   }
   return sample;
 }
 
-/// Runs in which inputs stand for long. false: there is too much to run.
-bool Finder::ForEachSample(int runs, const std::function<void(const Sample&)>& visit) {
-  std::vector<terms::TermId> roots;
-  for (const auto& [variable, word] : words_) {
-    roots.push_back(variable);
-    roots.insert(roots.end(), word.next.begin(), word.next.end());
-  }
-  const std::vector<terms::TermId> cone = terms::ConeOf(terms_, roots);
-  if (cone.size() > kMostSimulatedTerms) return false;
-  std::map<uint32_t, terms::TermId> variables;  // by number
-  for (const terms::TermId id : cone) {
-    if (terms_[id].kind == terms::TermKind::kVariable) variables[terms_[id].a] = id;
-  }
-  std::vector<uint64_t> values(terms_.size()), by_number(terms_.variable_count());
-  const auto value_of = [&values](terms::TermId operand) { return values[operand.index]; };
-  terms::Random random(0x9E3779B97F4A7C15);
+/// Runs from power-on in which inputs stand for long.
+void Finder::ForEachSample(int runs, const std::function<void(const Sample&)>& visit) {
+  runs_->BeginAgain();
   for (int run = 0; run < runs && !Late(); ++run) {
-    std::map<terms::TermId, uint64_t> state;
-    for (const auto& [variable, word] : words_)
-      state[variable] = terms_.IsConst(word.start) ? terms_.Value(word.start) : 0;
+    const auto draw = [&] { return run == 0 ? ~uint64_t{0} : runs_->Draw(); };
     const uint64_t one_in = uint64_t{4} << (run % 8);
-    for (int period = 0; period < kPeriods && !Late(); ++period) {
-      for (const auto& [number, variable] : variables) {
-        if (words_.contains(variable)) continue;
-        if (period == 0 || random.OneIn(one_in)) by_number[number] = run == 0 ? ~uint64_t{0} : random.Next() >> 7;
-      }
-      for (size_t part = 0; part < question_.reach.parts; ++part) {
-        for (const auto& [variable, value] : state) by_number[terms_[variable].a] = value;
-        for (const terms::TermId id : cone) {
-          values[id.index] =
-              terms::EvaluateTerm(terms_, terms_[id], value_of, [&](uint32_t number) { return by_number[number]; });
-        }
-        for (auto& [variable, value] : state) value = values[words_.at(variable).next[part].index];
-      }
-      visit(SampleOf(state));
-    }
+    runs_->DrawInputs(1, draw);
+    runs_->Run(
+        runs_->Start(), kPeriods, [&] { runs_->DrawInputs(one_in, draw); },
+        [&](const State& state) {
+          visit(SampleOf(state));
+          return !Late();
+        });
   }
-  return true;
 }
 
-bool Finder::LookForGreatest() {
-  return ForEachSample(kShortRuns, [this](const Sample& sample) {
+/// All that is left holds in the state, and what a run from there ends is no induction. With inputs that stay as they
+/// are much is counted to its end, that of a count that no run from power-on has begun, too.
+void Finder::DropContradictedFrom(const State& state) {
+  const size_t periods = std::clamp<size_t>(kMostTermsAfter / std::max<size_t>(1, runs_->cost()), 1, kPeriods);
+  const std::vector<uint64_t> inputs = runs_->inputs();
+  DropContradictedBy(SampleOf(state));
+  for (const uint64_t one_in : {kNeverChanged, uint64_t{200}}) {
+    runs_->SetInputs(inputs);
+    runs_->Run(
+        state, periods, [&] { runs_->DrawInputs(one_in, [this] { return runs_->Draw(); }); },
+        [this](const State& later) {
+          DropContradictedBy(SampleOf(later));
+          return !Late();
+        });
+  }
+}
+
+void Finder::LookForGreatest() {
+  ForEachSample(kShortRuns, [this](const Sample& sample) {
     for (size_t i = 0; i < registers_.size(); ++i)
       registers_[i].greatest = std::max(registers_[i].greatest, sample.registers[i]);
   });
@@ -427,22 +457,21 @@ void Finder::DropClocks() {
   });
 }
 
-void Finder::DropContradicted() {
-  ForEachSample(kRuns, [this](const Sample& sample) {
-    std::erase_if(guesses_, [&sample](const Guess& guess) { return !HoldsIn(guess, sample); });
-  });
+void Finder::DropContradictedBy(const Sample& sample) {
+  std::erase_if(guesses_, [&sample](const Guess& guess) { return !HoldsIn(guess, sample); });
 }
 
-/// Of guesses that say the same of the same, the strongest.
-void Finder::KeepStrongest() {
+void Finder::DropContradicted() {
+  ForEachSample(kRuns, [this](const Sample& sample) { DropContradictedBy(sample); });
+}
+
+/// Of guesses that say the same of the same, the strongest: the others follow.
+std::vector<Guess> Finder::Strongest() const {
   const auto bound = [](const Guess& guess) {
     const bool is_sum = guess.form == Form::kFalls || guess.form == Form::kLong;
     return guess.slack + (is_sum ? *guess.limit : 0);
   };
   const auto is_weaker = [&](const Guess& guess, const Guess& other) {
-    const bool same = guess.form == other.form && guess.of_register == other.of_register &&
-                      guess.counter == other.counter && guess.scale == other.scale;
-    if (!same || guess.form == Form::kBits) return false;
     // Of two bits one may be enough.
     if (guess.form == Form::kWhile) {
       return guess.also_unless && !other.also_unless &&
@@ -454,19 +483,32 @@ void Finder::KeepStrongest() {
     return bound(other) < bound(guess) || (guess.unless && !other.unless) ||
            (guess.form == Form::kGrows && guess.limit && !other.limit);
   };
-  std::vector<Guess> kept;
-  for (const Guess& guess : guesses_) {
-    const bool weaker = std::ranges::any_of(guesses_, [&](const Guess& other) { return is_weaker(guess, other); });
-    if (!weaker) kept.push_back(guess);
+  std::map<std::tuple<Form, uint32_t, uint32_t, uint64_t>, std::vector<size_t>> of_the_same;
+  for (size_t i = 0; i < guesses_.size(); ++i) {
+    const Guess& guess = guesses_[i];
+    of_the_same[{guess.form, guess.of_register, guess.counter, guess.scale}].push_back(i);
   }
-  guesses_ = std::move(kept);
+  std::vector<bool> is_kept(guesses_.size());
+  for (const auto& [what, group] : of_the_same) {
+    for (const size_t i : group) {
+      is_kept[i] = std::get<Form>(what) == Form::kBits ||
+                   std::ranges::none_of(group, [&](size_t j) { return is_weaker(guesses_[i], guesses_[j]); });
+    }
+  }
+  std::vector<Guess> strongest;
+  for (size_t i = 0; i < guesses_.size(); ++i) {
+    if (is_kept[i]) strongest.push_back(guesses_[i]);
+  }
+  return strongest;
 }
 
+/// By induction, all together. What a stronger one said counts when that one is gone.
 bool Finder::Prove() {
-  while (!guesses_.empty()) {
+  for (uint32_t round = 1;; ++round) {
+    const std::vector<Guess> tried = Strongest();
     std::vector<terms::TermId> conditions = question_.reach.known, fails;
     terms::TermId any = terms_.Bit(false);
-    for (const Guess& guess : guesses_) {
+    for (const Guess& guess : tried) {
       conditions.push_back(ConditionOf(guess, 0));
       terms::TermId fails_somewhere = terms_.Bit(false);
       for (size_t part = 1; part <= question_.reach.parts; ++part)
@@ -474,20 +516,33 @@ bool Finder::Prove() {
       fails.push_back(fails_somewhere);
       any = terms_.Or(any, fails_somewhere);
     }
-    if (terms_.IsFalse(any)) return true;
-    conditions.push_back(any);
-    const uint32_t rest_ms = question_.reach.rest_ms();
-    if (rest_ms <= end_ms_) return false;
-    const solver::Answer answer = question_.solver.Check(conditions, solver::Limit::Clock(rest_ms - end_ms_));
-    if (answer == solver::Answer::kNever) return true;
-    if (answer == solver::Answer::kUnknown) return false;
-    std::vector<Guess> kept;
-    for (size_t i = 0; i < guesses_.size(); ++i) {
-      if (question_.solver.ValueOf(fails[i]) == 0) kept.push_back(guesses_[i]);
+    solver::Answer answer = solver::Answer::kNever;
+    if (!terms_.IsFalse(any)) {
+      conditions.push_back(any);
+      const uint32_t rest_ms = question_.reach.rest_ms();
+      if (rest_ms <= end_ms_) return false;
+      answer = question_.solver.Check(conditions, solver::Limit::Clock(rest_ms - end_ms_));
     }
-    guesses_ = std::move(kept);
+    if (answer == solver::Answer::kUnknown) return false;
+    if (answer == solver::Answer::kNever) {
+      guesses_ = tried;
+      return true;
+    }
+    // What has not been seen to fail by now mostly holds: weaker ones would only be asked about one by one.
+    if (round == kMostRefills) guesses_ = tried;
+    const size_t count = guesses_.size();
+    runs_->Set([this](terms::TermId variable) { return question_.solver.ValueOf(variable); });
+    std::erase_if(guesses_, [&](const Guess& guess) {
+      const auto at = std::ranges::find(tried, guess);
+      return at != tried.end() && question_.solver.ValueOf(fails[at - tried.begin()]) != 0;
+    });
+    const std::vector<uint64_t> before = runs_->inputs();
+    for (size_t part = 0; part < question_.reach.parts; ++part) {
+      runs_->SetInputs(before);
+      DropContradictedFrom(runs_->After(part));
+    }
+    if (guesses_.size() == count) return false;
   }
-  return true;
 }
 
 /// After power-on a fact has to hold, too.
@@ -502,12 +557,13 @@ std::vector<terms::TermId> Finder::Find() {
   CloseOver();
   if (Late()) return {};
   AddRegisters();
-  if (!LookForGreatest()) return {};
+  runs_.emplace(terms_, words_, question_.reach.parts);
+  if (runs_->cost() > kMostSimulatedTerms) return {};
+  LookForGreatest();
   DropClocks();
   AddGuesses();
   DropWrongAtStart();
   DropContradicted();
-  KeepStrongest();
   if (Late() || !Prove()) return {};
   std::vector<terms::TermId> facts;
   for (const Guess& guess : guesses_) facts.push_back(ConditionOf(guess, 0));
