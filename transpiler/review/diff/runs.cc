@@ -9,7 +9,6 @@
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/prove/machine/transition.h"
 #include "transpiler/review/diff/machine.h"
-#include "transpiler/review/diff/search.h"
 #include "transpiler/review/diff/stimuli.h"
 #include "transpiler/symbolic/terms/random.h"
 

@@ -42,6 +42,10 @@ struct RunRequest {
 
 inline constexpr size_t kMostSought = 400;  // cells, of a search that is not quick; of more it does nothing
 
+/// The pairs that the host writes and a version reads.
+std::vector<prove::diff::SetCell> InputsOf(const prove::machine::Version& old_version,
+                                           const prove::machine::Version& new_version, const prove::diff::Match& match);
+
 /// Runs of both versions from power-on, in the simulator, with the same random inputs at the same time. A thorough
 /// search ends when all of the cells have differed, or with its share of the time. Adds to `result`. See search.h
 /// for what begins with a machine at work.

@@ -1,4 +1,5 @@
-// Counting as far as a program counts: what advanced a number once is done again and again.
+#include "transpiler/review/diff/counts.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -7,7 +8,6 @@
 
 #include "transpiler/prove/diff/runs_from.h"
 #include "transpiler/review/diff/items.h"
-#include "transpiler/review/diff/search.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -40,7 +40,7 @@ uint64_t Advance(uint64_t before, uint64_t after, uint32_t bytes) {
 
 }  // namespace
 
-uint64_t DirectedSearch::Counter::Value(const std::vector<uint8_t>& picture, uint32_t lowest) const {
+uint64_t Counts::Counter::Value(const std::vector<uint8_t>& picture, uint32_t lowest) const {
   uint64_t value = 0;
   for (uint32_t i = 0; i < bytes; ++i) {
     const uint32_t byte = is_big ? lowest - i : lowest + i;
@@ -49,48 +49,64 @@ uint64_t DirectedSearch::Counter::Value(const std::vector<uint8_t>& picture, uin
   return value;
 }
 
-void DirectedSearch::FindCounters() {
-  const ir::Program& program = *old_version_.program;
-  std::set<CellId> read(read_by_changed_.begin(), read_by_changed_.end()), is_set;
+Counts::Counts(PairedMachines& machines, const std::vector<Input>& inputs, const std::vector<uint64_t>& constants)
+    : machines_(machines), inputs_(inputs), constants_(constants), is_input_(machines.old_version().cells.count) {
   for (const Input& input : inputs_) {
-    for (const SetCell& bit : input) is_set.insert(bit.old_cell);
+    for (const SetCell& bit : input) is_input_[bit.old_cell.index] = true;
   }
-  std::set<std::pair<uint32_t, uint32_t>> taken;
-  const auto add = [&](std::span<const CellId> cells, uint32_t bytes) {
-    const CellId first = cells.front(), of_new = match_.new_of_old[first.index];
-    if (!old_uses_.writes[first.index] || !old_uses_.reads[first.index] || !of_new.valid() || is_set.contains(first))
-      return;
-    const uint32_t at = old_machine_.ByteOf(first), new_at = new_machine_.ByteOf(of_new);
-    if (at >= old_machine_.picture().size() || new_at >= new_machine_.picture().size()) return;
-    if (!taken.insert({at, bytes}).second) return;
-    const auto any = [&](const auto& known) {
-      return std::ranges::any_of(cells, [&](CellId cell) { return known.contains(cell); });
-    };
-    const uint32_t rank = any(read) ? 0 : any(seen_behind_) ? 1 : 2;
-    const bool is_big = cells.size() > 1 && old_machine_.ByteOf(cells.back()) < at;
-    counters_.push_back({.at = at,
-                         .new_at = new_at,
-                         .bytes = bytes,
-                         .is_big = is_big,
-                         .rank = rank,
-                         .cells = {cells.begin(), cells.end()}});
-  };
-  for (const ir::Place& place : program.places) {
+  FindCounters();
+  machines_.before_step = [this] { LookAtCounters(); };
+  machines_.after_step = [this] { NoteAdvances(); };
+}
+
+void Counts::AddCounter(std::span<const CellId> cells, uint32_t bytes) {
+  const CellId first = cells.front(), of_new = machines_.match().new_of_old[first.index];
+  const prove::machine::Uses& uses = machines_.old_uses();
+  if (!uses.writes[first.index] || !uses.reads[first.index] || !of_new.valid() || is_input_[first.index]) return;
+  const DiffMachine &old_machine = machines_.old_machine(), &new_machine = machines_.new_machine();
+  const uint32_t at = old_machine.ByteOf(first), new_at = new_machine.ByteOf(of_new);
+  if (at >= old_machine.picture().size() || new_at >= new_machine.picture().size()) return;
+  if (!taken_.insert({at, bytes}).second) return;
+  const News& news = machines_.news;
+  const auto is_read = [&news](CellId cell) { return news.IsRead(cell); };
+  const auto is_before = [&news](CellId cell) { return news.IsBefore(cell); };
+  const uint32_t rank = std::ranges::any_of(cells, is_read) ? 0 : std::ranges::any_of(cells, is_before) ? 1 : 2;
+  counters_.push_back({.at = at,
+                       .new_at = new_at,
+                       .bytes = bytes,
+                       .is_big = cells.size() > 1 && old_machine.ByteOf(cells.back()) < at,
+                       .rank = rank,
+                       .cells = {cells.begin(), cells.end()}});
+}
+
+void Counts::FindNumbersOfPlaces() {
+  const prove::machine::Version& version = machines_.old_version();
+  for (const ir::Place& place : version.program->places) {
     const bool is_number = !place.is_field() && !place.indexed && place.type != ir::Type::kBit &&
                            place.type != ir::Type::kF32 && place.type != ir::Type::kF64;
-    if (!is_number || !execute::IsInside(program, place)) continue;
-    add(execute::CellsOf(program, old_version_.cells, place), ir::Bytes(place.type));
+    if (!is_number || !execute::IsInside(*version.program, place)) continue;
+    AddCounter(execute::CellsOf(*version.program, version.cells, place), ir::Bytes(place.type));
   }
+}
+
+void Counts::FindNumbersOfStates() {
+  const prove::machine::Version& version = machines_.old_version();
+  const ir::Program& program = *version.program;
   for (uint32_t i = 0; i < program.states.size(); ++i) {
-    uint32_t cell = old_version_.cells.states[i];
+    uint32_t cell = version.cells.states[i];
     for (const ir::FieldInfo& field : ir::Info(program.states[ir::StateId(i)].kind).fields) {
       const bool is_number =
           !field.hidden && field.count == 1 &&
           (field.type == ir::Type::kI8 || field.type == ir::Type::kI16 || field.type == ir::Type::kI32);
-      if (const CellId first(cell); is_number) add(std::span(&first, 1), ir::Bytes(field.type));
+      if (const CellId first(cell); is_number) AddCounter(std::span(&first, 1), ir::Bytes(field.type));
       cell += field.count;
     }
   }
+}
+
+void Counts::FindCounters() {
+  FindNumbersOfPlaces();
+  FindNumbersOfStates();
   std::ranges::stable_sort(counters_, {}, &Counter::rank);
   if (counters_.size() > kMostCounters) counters_.resize(kMostCounters);
   most_counted_ = kCountsWithoutLimit;
@@ -99,11 +115,11 @@ void DirectedSearch::FindCounters() {
   }
 }
 
-void DirectedSearch::LookAtCounters() {
+void Counts::LookAtCounters() {
   for (Counter& counter : counters_) counter.before = ValueIn(counter);
 }
 
-void DirectedSearch::NoteAdvances() {
+void Counts::NoteAdvances() {
   for (Counter& counter : counters_) {
     if (counter.pulses == kMostPulsesOfOne) continue;
     const uint64_t value = ValueIn(counter);
@@ -113,42 +129,33 @@ void DirectedSearch::NoteAdvances() {
     if (counter.pulses >= 2 && (counter.magnitudes & magnitude) != 0) continue;
     counter.magnitudes |= magnitude;
     ++counter.pulses;
-    pulses_.push_back({.counter = static_cast<size_t>(&counter - counters_.data()), .run = stimuli_});
+    pulses_.push_back({.counter = static_cast<size_t>(&counter - counters_.data()), .run = machines_.stimuli()});
   }
 }
 
-bool DirectedSearch::Apply(const Stimulus& stimulus) {
-  if (Late()) return false;
-  if (!old_machine_.Apply(stimulus, &SetCell::old_cell) || !new_machine_.Apply(stimulus, &SetCell::new_cell))
-    return false;
-  old_machine_.Look();
-  new_machine_.Look();
-  return true;
-}
-
-Stimulus DirectedSearch::Undone(const Stimulus& stimulus) const {
+Stimulus Counts::Undone(const Stimulus& stimulus) const {
   Stimulus undone;
   for (const SetCell& input : stimulus.inputs) {
     undone.inputs.push_back(input);
-    undone.inputs.back().value = old_machine_.ValueOf(input.old_cell);
+    undone.inputs.back().value = machines_.old_machine().ValueOf(input.old_cell);
   }
   for (const auto& [location, value] : stimulus.words) {
-    if (const std::optional<uint64_t> was = old_machine_.ValueOfWord(location))
+    if (const std::optional<uint64_t> was = machines_.old_machine().ValueOfWord(location))
       undone.words.emplace_back(location, std::to_string(*was));
   }
   return undone;
 }
 
-std::vector<Stimuli> DirectedSearch::PulsesOf(const Pulse& pulse) {
+std::vector<Stimuli> Counts::PulsesOf(const Pulse& pulse) {
   const Counter& counter = counters_[pulse.counter];
   const Stimuli& run = pulse.run;
   std::vector<Stimulus> undone;  // by step
   std::vector<size_t> advances;  // after so many steps
-  GoTo(*between_.front());
+  machines_.GoToPowerOn();
   for (const Stimulus& stimulus : run) {
     undone.push_back(Undone(stimulus));
     const uint64_t before = ValueIn(counter);
-    if (!Apply(stimulus)) return {};
+    if (!machines_.Apply(stimulus)) return {};
     if (ValueIn(counter) != before) advances.push_back(undone.size());
   }
   std::vector<Stimuli> pulses{{{.inputs = {}, .words = {}, .slow = 1}}};
@@ -189,49 +196,51 @@ std::vector<Stimuli> DirectedSearch::PulsesOf(const Pulse& pulse) {
   return pulses;
 }
 
-void DirectedSearch::AimAtCounters(RandomRuns& result) {
+void Counts::AimAtCounters(RandomRuns& result) {
   constexpr uint32_t kMostAsked = 8;
   constexpr auto kMostForOne = std::chrono::milliseconds(300);
   // Shortly before a pass, so that the solver need not look far ahead.
   constexpr uint32_t kPeriodsBefore = 2;
-  GoTo(*between_.front());
-  if (!Step({.inputs = {}, .words = {}, .slow = 1}, result)) return;
-  if (pass_periods_ > kPeriodsBefore &&
-      !Step({.inputs = {}, .words = {}, .ms = (pass_periods_ - kPeriodsBefore) * period_ms_}, result))
+  machines_.GoToPowerOn();
+  if (!machines_.Step({.inputs = {}, .words = {}, .slow = 1}, result)) return;
+  if (machines_.pass_periods() > kPeriodsBefore &&
+      !machines_.Step(
+          {.inputs = {}, .words = {}, .ms = (machines_.pass_periods() - kPeriodsBefore) * machines_.period_ms()},
+          result))
     return;
-  const Moment begin = Here();
-  const std::vector<uint8_t> begin_picture = old_machine_.picture();
+  const Moment begin = machines_.Here();
+  const std::vector<uint8_t> begin_picture = machines_.old_machine().picture();
   uint32_t asked = 0;
   for (Counter& counter : counters_) {
     if (counter.rank > 1 || counter.pulses != 0 || std::exchange(counter.is_asked, true)) continue;
-    if (++asked > kMostAsked || Late()) return;
+    if (++asked > kMostAsked || machines_.Late()) return;
     const auto aim = [&](const Moment& from, bool is_none, const std::vector<uint64_t>& values) {
-      GoTo(from);
-      const std::optional<prove::diff::Run> run =
-          prove::diff::RunTo(Unrollable(), Seen(), {.cells = counter.cells, .values = values, .is_none = is_none},
-                             {.most_periods = pass_periods_ + kPeriodsBefore,
-                              .end = std::min(end_, std::chrono::steady_clock::now() + kMostForOne)});
+      machines_.GoTo(from);
+      const std::optional<prove::diff::Run> run = prove::diff::RunTo(
+          machines_.Unrollable(), machines_.Seen(), {.cells = counter.cells, .values = values, .is_none = is_none},
+          {.most_periods = machines_.pass_periods() + kPeriodsBefore,
+           .end = std::min(machines_.end(), std::chrono::steady_clock::now() + kMostForOne)});
       if (!run) return false;
-      GoTo(from);
-      Repeat(*run, period_ms_, result);
+      machines_.GoTo(from);
+      machines_.Repeat(*run, machines_.period_ms(), result);
       return true;
     };
     const auto advance = [&](const Moment& from) {
-      GoTo(from);
+      machines_.GoTo(from);
       const uint64_t value = ValueIn(counter);
       return aim(from, false, {value + 1, (value - 1) & MaskOf(counter.bytes)});
     };
     // One that counts down has to be set first.
-    if (!advance(begin) && aim(begin, true, {counter.Value(begin_picture, counter.at)})) advance(Here());
+    if (!advance(begin) && aim(begin, true, {counter.Value(begin_picture, counter.at)})) advance(machines_.Here());
   }
 }
 
-uint64_t DirectedSearch::AdvanceBy(const Stimuli& cycle, const Counter& counter, const Moment& begin) {
-  GoTo(begin);
+uint64_t Counts::AdvanceBy(const Stimuli& cycle, const Counter& counter, const Moment& begin) {
+  machines_.GoTo(begin);
   uint64_t advance = 0;
   for (uint32_t proofs = 0; proofs < kProofs; ++proofs) {
     const uint64_t before = ValueIn(counter);
-    if (!std::ranges::all_of(cycle, [this](const Stimulus& stimulus) { return Apply(stimulus); })) return 0;
+    if (!std::ranges::all_of(cycle, [this](const Stimulus& stimulus) { return machines_.Apply(stimulus); })) return 0;
     const uint64_t now = Advance(before, ValueIn(counter), counter.bytes);
     if (now == 0 || (proofs != 0 && now != advance)) return 0;
     advance = now;
@@ -239,12 +248,12 @@ uint64_t DirectedSearch::AdvanceBy(const Stimuli& cycle, const Counter& counter,
   return advance;
 }
 
-void DirectedSearch::FindCounting(const Pulse& pulse) {
+void Counts::FindCounting(const Pulse& pulse) {
   const Counter& counter = counters_[pulse.counter];
   const std::vector<Stimuli> cycles = PulsesOf(pulse);
   if (cycles.empty()) return;
-  stimuli_ = pulse.run;
-  const auto begin = std::make_shared<Moment>(Here());
+  machines_.stimuli() = pulse.run;
+  const auto begin = std::make_shared<Moment>(machines_.Here());
   for (Stimuli cycle : cycles) {
     const uint64_t advance = AdvanceBy(cycle, counter, *begin);
     if (advance == 0) continue;
@@ -261,16 +270,17 @@ void DirectedSearch::FindCounting(const Pulse& pulse) {
   }
 }
 
-void DirectedSearch::FindCountingsFromDiffering() {
+void Counts::FindCountingsFromDiffering() {
   // The last ones are the news, and the first one is the plainest.
-  Moments moments;
-  for (auto moment = differing_.rbegin(); moment != differing_.rend() && moments.size() < kMostCountedFrom; ++moment) {
+  PairedMachines::Moments moments;
+  const PairedMachines::Moments& differing = machines_.kept_moments(PairedMachines::Kept::kDiffers);
+  for (auto moment = differing.rbegin(); moment != differing.rend() && moments.size() < kMostCountedFrom; ++moment) {
     if (!(*moment)->is_counted) moments.push_back(*moment);
   }
   const size_t known = countings_.size();
   for (const std::shared_ptr<Moment>& moment : moments) {
     moment->is_counted = true;
-    for (size_t i = 0; i < known && !Late(); ++i) {
+    for (size_t i = 0; i < known && !machines_.Late(); ++i) {
       const Counting counting = countings_[i];
       if (counting.from_differs) continue;
       const uint64_t advance = AdvanceBy(counting.cycle, counters_[counting.counter], *moment);
@@ -285,10 +295,10 @@ void DirectedSearch::FindCountingsFromDiffering() {
   }
 }
 
-std::vector<DirectedSearch::Input> DirectedSearch::InputsBeside(const std::vector<CellId>& cells) const {
-  std::vector<bool> is_wanted(old_version_.cells.count), is_read(old_version_.cells.count);
+std::vector<Input> Counts::InputsBeside(const std::vector<CellId>& cells) const {
+  std::vector<bool> is_wanted(machines_.old_version().cells.count), is_read(machines_.old_version().cells.count);
   for (const CellId cell : cells) is_wanted[cell.index] = true;
-  const std::vector<StatementAccess> accesses = AccessesOf(old_version_);
+  const std::vector<StatementAccess> accesses = AccessesOf(machines_.old_version());
   std::set<ir::StatementId> writers;
   for (const StatementAccess& access : accesses) {
     if (!access.writes || !access.statement.valid()) continue;
@@ -308,21 +318,21 @@ std::vector<DirectedSearch::Input> DirectedSearch::InputsBeside(const std::vecto
   return beside;
 }
 
-bool DirectedSearch::VaryCountings(const std::vector<Input>& hiding) {
+bool Counts::VaryCountings(const std::vector<Input>& hiding) {
   const size_t known = countings_.size();
-  for (size_t i = 0; i < known && !Late(); ++i) {
+  for (size_t i = 0; i < known && !machines_.Late(); ++i) {
     if (std::exchange(countings_[i].is_varied, true) || !countings_[i].begin ||
         counters_[countings_[i].counter].rank > 1)
       continue;
     for (const Input& input : hiding) {
       const Counting counting = countings_[i];
-      GoTo(*counting.begin);
+      machines_.GoTo(*counting.begin);
       Stimulus opposite{.inputs = input, .words = {}, .slow = 1};
-      opposite.inputs.front().value = old_machine_.ValueOf(input.front().old_cell) ^ 1;
-      if (!Apply(opposite)) return false;
-      stimuli_.push_back(opposite);
-      ++periods_;
-      const auto begin = std::make_shared<Moment>(Here());
+      opposite.inputs.front().value = machines_.old_machine().ValueOf(input.front().old_cell) ^ 1;
+      if (!machines_.Apply(opposite)) return false;
+      machines_.stimuli().push_back(opposite);
+      machines_.AddPeriodsOf(opposite);
+      const auto begin = std::make_shared<Moment>(machines_.Here());
       if (AdvanceBy(counting.cycle, counters_[counting.counter], *begin) != counting.advance) continue;
       countings_.push_back({.counter = counting.counter,
                             .advance = counting.advance,
@@ -336,9 +346,9 @@ bool DirectedSearch::VaryCountings(const std::vector<Input>& hiding) {
   return false;
 }
 
-void DirectedSearch::FindCountings(Time end) {
-  EndAt(end);
-  while (!Late() && !pulses_.empty()) {
+void Counts::FindCountings(Time end) {
+  machines_.EndAt(end);
+  while (!machines_.Late() && !pulses_.empty()) {
     const auto next =
         std::ranges::min_element(pulses_, {}, [this](const Pulse& pulse) { return counters_[pulse.counter].rank; });
     const Pulse pulse = std::move(*next);
@@ -352,7 +362,7 @@ void DirectedSearch::FindCountings(Time end) {
 }
 
 /// What is compared with a constant may be so for one pulse only.
-bool DirectedSearch::IsFarFromConstants(uint64_t value, uint64_t advance, uint32_t bytes) const {
+bool Counts::IsFarFromConstants(uint64_t value, uint64_t advance, uint32_t bytes) const {
   const uint64_t way = kAtOnce * advance, other = (value + way) & MaskOf(bytes);
   const auto [low, high] = std::minmax(value, other);
   const auto at = std::ranges::lower_bound(constants_, low - std::min(low, 2 * kMostAdvance));
@@ -360,22 +370,21 @@ bool DirectedSearch::IsFarFromConstants(uint64_t value, uint64_t advance, uint32
 }
 
 /// Where the versions part there is more to be seen, though it was known.
-void DirectedSearch::CompareCounted(Counting& counting, RandomRuns& result) {
-  has_new_difference_ = false;
-  Compare(result);
-  if (has_new_difference_ || (differs_now_ && !counting.differs)) Keep(Kept::kDiffers);
-  counting.differs = differs_now_;
+void Counts::CompareCounted(Counting& counting, RandomRuns& result) {
+  const PairedMachines::Differences differences = machines_.Compare(result);
+  if (differences.is_new || (differences.any && !counting.differs)) machines_.Keep(PairedMachines::Kept::kDiffers);
+  counting.differs = differences.any;
 }
 
-void DirectedSearch::KeepAtConstant(Counter& counter, uint64_t before) {
+void Counts::KeepAtConstant(Counter& counter, uint64_t before) {
   if (counter.rank > 1 || counter.passed.size() >= kMostPassed) return;
   const auto [low, high] = std::minmax(before, ValueIn(counter));
   for (auto at = std::ranges::upper_bound(constants_, low); at != constants_.end() && *at <= high; ++at) {
-    if (*at > 1 && counter.passed.insert(*at).second) Keep(Kept::kNew);
+    if (*at > 1 && counter.passed.insert(*at).second) machines_.Keep(PairedMachines::Kept::kNew);
   }
 }
 
-void DirectedSearch::NoteCarries(Counting& counting) {
+void Counts::NoteCarries(Counting& counting) {
   if (counting.carried.empty()) {
     for (size_t i = 0; i < counters_.size(); ++i) {
       if (i != counting.counter && counters_[i].rank <= 1)
@@ -394,43 +403,41 @@ void DirectedSearch::NoteCarries(Counting& counting) {
   }
 }
 
-bool DirectedSearch::CountAtOnce(Counting& counting, RandomRuns& result) {
+bool Counts::CountAtOnce(Counting& counting, RandomRuns& result) {
   const Counter& counter = counters_[counting.counter];
   const uint64_t before = ValueIn(counter);
   if (!IsFarFromConstants(before, counting.advance, counter.bytes)) return false;
-  const Moment here = Here();
+  const Moment here = machines_.Here();
   for (uint32_t i = 0; i < kAtOnce; ++i) {
     for (const Stimulus& stimulus : counting.cycle) {
-      if (Late() || !old_machine_.Apply(stimulus, &SetCell::old_cell) ||
-          !new_machine_.Apply(stimulus, &SetCell::new_cell)) {
-        GoTo(here);
+      if (!machines_.ApplyUnseen(stimulus)) {
+        machines_.GoTo(here);
         return false;
       }
-      periods_ += stimulus.slow + stimulus.fast + stimulus.ms / period_ms_;
+      machines_.AddPeriodsOf(stimulus);
     }
   }
-  old_machine_.Look();
-  new_machine_.Look();
+  machines_.Look();
   const uint64_t expected = (before + kAtOnce * counting.advance) & MaskOf(counter.bytes);
-  if (ValueIn(counter) != expected || counter.Value(new_machine_.picture(), counter.new_at) != expected) {
-    GoTo(here);
+  if (ValueIn(counter) != expected || counter.Value(machines_.new_machine().picture(), counter.new_at) != expected) {
+    machines_.GoTo(here);
     return false;
   }
-  stimuli_.back().times += kAtOnce;
+  machines_.stimuli().back().times += kAtOnce;
   counting.done += kAtOnce;
   NoteCarries(counting);
   CompareCounted(counting, result);
   return true;
 }
 
-void DirectedSearch::CountOn(Counting& counting, RandomRuns& result) {
+void Counts::CountOn(Counting& counting, RandomRuns& result) {
   Counter& counter = counters_[counting.counter];
-  GoTo(*counting.at);
-  if (counting.done == 0) stimuli_.push_back({.inputs = {}, .words = {}, .repeated = counting.cycle});
-  const size_t begin = stimuli_.size();
+  machines_.GoTo(*counting.at);
+  if (counting.done == 0) machines_.stimuli().push_back({.inputs = {}, .words = {}, .repeated = counting.cycle});
+  const size_t begin = machines_.stimuli().size();
   const auto most_of_all = [&] { return std::max(counting.most, most_counted_); };
   const uint64_t most = std::min(most_of_all(), std::max<uint64_t>(kFirstCounts, 4 * counting.done));
-  const auto keep = [&] { counting.at = std::make_shared<Moment>(Here()); };
+  const auto keep = [&] { counting.at = std::make_shared<Moment>(machines_.Here()); };
   uint32_t one_by_one = 0;
   while (counting.done < most && counting.stops < kMostStops) {
     if (one_by_one == 0 && CountAtOnce(counting, result)) continue;
@@ -438,18 +445,18 @@ void DirectedSearch::CountOn(Counting& counting, RandomRuns& result) {
     if (counting.done != 0 && counting.done % kAtOnce == 0) keep();
     const uint64_t before = ValueIn(counter);
     for (const Stimulus& stimulus : counting.cycle) {
-      stimuli_.push_back(stimulus);
-      if (!Apply(stimulus)) {
+      machines_.stimuli().push_back(stimulus);
+      if (!machines_.Apply(stimulus)) {
         // Late: it goes on where it was kept. Stuck: it does not.
         counting.done = counting.at->stimuli.size() == begin ? counting.at->stimuli.back().times : 0;
-        counting.is_over = !Late();
+        counting.is_over = !machines_.Late();
         return;
       }
-      periods_ += stimulus.slow + stimulus.fast + stimulus.ms / period_ms_;
+      machines_.AddPeriodsOf(stimulus);
       CompareCounted(counting, result);
     }
-    stimuli_.resize(begin);
-    ++stimuli_.back().times;
+    machines_.stimuli().resize(begin);
+    ++machines_.stimuli().back().times;
     ++counting.done;
     NoteCarries(counting);
     KeepAtConstant(counter, before);
@@ -457,35 +464,40 @@ void DirectedSearch::CountOn(Counting& counting, RandomRuns& result) {
   }
   counting.is_over = counting.done >= most_of_all() || counting.stops >= kMostStops;
   keep();
-  Keep(Kept::kOnTheWay);
+  machines_.Keep(PairedMachines::Kept::kOnTheWay);
 }
 
-void DirectedSearch::RunCounts(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
+/// The one that is the least far, by its weight: what has nothing to do with the change, as far as can be seen, comes
+/// late. Null: all have come to their end.
+Counts::Counting* Counts::NextCounting() {
+  const auto order = [this](const Counting& counting) {
+    constexpr std::array<uint64_t, 3> kWeights = {1, 4, 64};
+    const uint32_t rank = counting.from_differs ? 0 : counters_[counting.counter].rank;
+    return std::pair((counting.done + 1) * kWeights[rank], rank);
+  };
+  Counting* next = nullptr;
+  for (Counting& counting : countings_) {
+    if (!counting.is_over && (next == nullptr || order(counting) < order(*next))) next = &counting;
+  }
+  return next;
+}
+
+void Counts::Run(const std::vector<CellId>& sought, Time end, RandomRuns& result) {
   const Time begin = std::chrono::steady_clock::now();
-  EndAt(begin + (end - begin) / 2);
+  machines_.EndAt(begin + (end - begin) / 2);
   AimAtCounters(result);
   FindCountings(begin + (end - begin) / 3 * 2);
-  EndAt(end);
+  machines_.EndAt(end);
   FindCountingsFromDiffering();
-  while (!Late()) {
-    if (std::ranges::all_of(sought, [&](CellId cell) { return result.difference_of.contains(cell); })) return;
-    Counting* next = nullptr;
-    const auto order = [this](const Counting& counting) {
-      // What has nothing to do with the change, as far as can be seen, comes late.
-      constexpr std::array<uint64_t, 3> kWeights = {1, 4, 64};
-      const uint32_t rank = counting.from_differs ? 0 : counters_[counting.counter].rank;
-      return std::pair((counting.done + 1) * kWeights[rank], rank);
-    };
-    for (Counting& counting : countings_) {
-      if (!counting.is_over && (next == nullptr || order(counting) < order(*next))) next = &counting;
+  while (!machines_.Late()) {
+    std::vector<CellId> open = sought;
+    std::erase_if(open, [&](CellId cell) { return result.difference_of.contains(cell); });
+    if (open.empty()) return;
+    if (Counting* const next = NextCounting()) {
+      CountOn(*next, result);
+    } else if (!VaryCountings(InputsBeside(open))) {
+      return;
     }
-    if (next == nullptr) {
-      std::vector<CellId> open = sought;
-      std::erase_if(open, [&](CellId cell) { return result.difference_of.contains(cell); });
-      if (!VaryCountings(InputsBeside(open))) return;
-      continue;
-    }
-    CountOn(*next, result);
   }
 }
 
