@@ -59,7 +59,10 @@ class EmittedProgram {
     for (const std::string compiler : {"g++ -std=c++17 -O2", "clang++-19 -std=c++17 -O1"}) {
       if (Shell(compiler.substr(0, compiler.find(' ')) + " --version >/dev/null 2>&1") != 0) continue;
       const std::string sanitize = " -fsanitize=undefined -fno-sanitize-recover=all ";
-      ASSERT_EQ(Shell(compiler + std::string(kStrict) + "-c p.cpp -o /dev/null"), 0) << compiler << "\n" << Source();
+      // Warnings of GCC depend on what its optimizer sees; Clang gives the same ones below.
+      if (compiler.front() == 'g') {
+        ASSERT_EQ(Shell(compiler + std::string(kStrict) + "-c p.cpp -o /dev/null"), 0) << compiler << "\n" << Source();
+      }
       ASSERT_EQ(Shell(compiler + sanitize + std::string(kStrict) + "p.cpp main.cpp -o run && ./run >out.txt"), 0)
           << compiler << "\n"
           << Source();
@@ -202,21 +205,30 @@ class EmittedProgram {
       out += "  printf(\"%u " + name + " %llu\\n\", round, Raw<" + std::string(ir::CppName(place.type)) + ">(m[" +
              name + "]));\n";
     }
-    out += "}\nint main() {\n  Host host{0};\n";
+    out += "}\n" + InputTable() + "int main() {\n  Host host{0};\n";
     if (program_.schedule.init.valid()) out += "  init(m, host);\n";
     out += "  Show(0);\n";
-    for (uint32_t round = 0; round < kRounds; ++round) {
-      for (size_t i = 0; i < inputs_.size(); ++i) {
-        const std::string& name = emittable.place_names[Index(inputs_[i])];
-        if (name.empty()) continue;  // the program does not use it
-        out += "  m[" + name + "] = Of<" + std::string(ir::CppName(PlaceOf(inputs_[i]).type)) + ">(" +
-               std::to_string(values_[round * inputs_.size() + i]) + "ull);\n";
-      }
-      out += "  host.now = " + std::to_string(10 * (round + 1)) + ";\n  " +
-             program_.routines[program_.schedule.period].name + "(m, host);\n  Show(" + std::to_string(round + 1) +
-             ");\n";
+    out += "  for (unsigned round = 0; round < " + std::to_string(kRounds) + "; ++round) {\n";
+    for (size_t i = 0; i < inputs_.size(); ++i) {
+      const std::string& name = emittable.place_names[Index(inputs_[i])];
+      if (name.empty()) continue;  // the program does not use it
+      out += "    m[" + name + "] = Of<" + std::string(ir::CppName(PlaceOf(inputs_[i]).type)) + ">(given[round][" +
+             std::to_string(i) + "]);\n";
     }
+    out += "    host.now = 10 * (round + 1);\n    " + program_.routines[program_.schedule.period].name +
+           "(m, host);\n    Show(round + 1);\n  }\n";
     return out + "}\n";
+  }
+
+  /// A table and a loop over it: written out, the assignments cost the compilers more than the program itself.
+  std::string InputTable() const {
+    if (inputs_.empty()) return "";
+    std::string out = "[[maybe_unused]] const unsigned long long given[][" + std::to_string(inputs_.size()) + "] = {\n";
+    for (size_t i = 0; i < values_.size(); ++i) {
+      out += (i % inputs_.size() == 0 ? "  {" : "") + std::to_string(values_[i]) + "ull" +
+             ((i + 1) % inputs_.size() == 0 ? "},\n" : ", ");
+    }
+    return out + "};\n";
   }
 
   size_t Index(const std::string& name) const {
