@@ -61,7 +61,10 @@ machine::PartEnvironment EnvironmentOf(Comparison& comparison, Which which) {
                        PowerOnValue(comparison.old_version, old_cell) != PowerOnValue(comparison.new_version, new_cell);
               },
           .never_holds =
-              [&comparison](terms::TermId condition) { return comparison.refuted.Has(condition, comparison.RestMs()); },
+              [&comparison, which](ir::InstId loop, terms::TermId condition) {
+                const uint64_t series = uint64_t{which == Which::kNew} << 32 | loop.index;
+                return comparison.refuted.Has(condition, series, comparison.RestMs());
+              },
           .is_late = [&comparison] { return comparison.Late(); }};
 }
 

@@ -41,8 +41,8 @@ struct PartEnvironment {
   std::function<bool(execute::CellId)> may_be_left;                        // see Environment; may be empty
   std::function<terms::TermId(execute::CellId, terms::TermId)> cut;        // see Environment; may be empty
   std::function<bool(execute::CellId)> is_cut;
-  std::function<bool(terms::TermId)> never_holds;  // see Environment; may be empty
-  std::function<bool()> is_late;                   // see Environment; may be empty
+  std::function<bool(ir::InstId, terms::TermId)> never_holds;  // see Environment; may be empty
+  std::function<bool()> is_late;                               // see Environment; may be empty
 };
 
 /// What runs by itself: the schedule's period, and the fast part alone: it may have a time of its own (fast_ms, the

@@ -40,7 +40,9 @@ execute::Environment UnitVerifier::MakeEnvironment(solver::Solver& solver) {
   environment.replaced = replaced_.get();
   environment.most_terms = kMostTerms;
   if (treatment_.loops != Loops::kUnrolled || program_.shape.IsUpToFaults()) environment.loops = &policy_;
-  environment.never_holds = [this, &solver](terms::TermId condition) { return NeverHolds(solver, condition); };
+  environment.never_holds = [this, &solver](ir::InstId, terms::TermId condition) {
+    return NeverHolds(solver, condition);
+  };
   environment.initial = [this](execute::CellId cell) {
     const bool power_on =
         is_init() && execute::CellAt(program_.ir, program_.cells, cell).kind != execute::CellKind::kCalls;

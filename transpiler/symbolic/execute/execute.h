@@ -103,7 +103,7 @@ struct Environment {
   uint32_t summarize_after = 0;
   /// Whether a condition is known never to hold: asked for another round of such a loop, and of one with a policy
   /// (`loops`), which is its end then; empty: nobody knows.
-  std::function<bool(terms::TermId condition)> never_holds;
+  std::function<bool(ir::InstId loop, terms::TermId condition)> never_holds;
   /// Except a proven loop that executes at most so many instructions in all its rounds: it is unrolled to its bound.
   uint32_t unroll_up_to = 0;
   /// Of these, loops that become functions all the same; may be none.

@@ -88,8 +88,8 @@ void Executor::FollowLoop(ir::InstId id, const ir::Loop& loop) {
   for (const Leaving& leaving : outer) Leave(leaving.target, leaving.repeats, leaving.when);
 }
 
-bool Executor::IsKnownNotToGoOn() {
-  return memory_.environment().never_holds && memory_.environment().never_holds(Absolute());
+bool Executor::IsKnownNotToGoOn(ir::InstId loop) {
+  return memory_.environment().never_holds && memory_.environment().never_holds(loop, Absolute());
 }
 
 Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, uint32_t most_unknown,
@@ -102,7 +102,7 @@ Executor::Unrolled Executor::UnrollLoop(ir::InstId id, const ir::Loop& loop, uin
   std::set<CellId> rewritten;
   for (uint64_t round = 0; !terms_.IsFalse(flow_.active); ++round) {
     if (round > 0 && flow_.active != before) ++unknown;
-    if ((most_unknown != 0 || policy != nullptr) && unknown > 0 && IsKnownNotToGoOn()) {
+    if ((most_unknown != 0 || policy != nullptr) && unknown > 0 && IsKnownNotToGoOn(id)) {
       flow_.active = terms_.Bit(false);
       break;
     }

@@ -78,7 +78,7 @@ class Executor {
   /// `most_unknown`: rounds of which it is not known whether they are executed; after them it is given up. 0: never.
   /// `samples`: to be filled; may be none.
   Unrolled UnrollLoop(ir::InstId id, const ir::Loop& loop, uint32_t most_unknown, std::vector<Sample>* samples);
-  bool IsKnownNotToGoOn();
+  bool IsKnownNotToGoOn(ir::InstId loop);
   void ExecuteSummary(ir::InstId id);
   void AddChanged(const std::vector<Memory::Change>& changes, std::vector<CellId>& cells);
   void ExecuteByHead(ir::InstId id, const ir::Loop& loop);
