@@ -42,6 +42,8 @@ constexpr const char* kProveFooter =
   never bit 0 of W2K0 and bit 1 of W2K0    bits of a word, the least significant one is 0
   I0K1 implies U21K8 is 0 within 1 slow    soon enough for 'set: {I0K1: 1}, run: {slow: 1}'; without 'within': at once
   I0K1 for 3000 ms implies U4A8            once I0K1 has stood so long
+  (I0K1 and not I0K2) for 3000 ms implies U4A8
+                                           brackets: 'for' is about what stands right before it
   U4A8 is never stuck within 20 slow       from every state some inputs make it 1, and some make it 0, in that time
 
 What is looked at is the state after each period, for all inputs, from power-on with all memory 0. Times are counted in
