@@ -94,7 +94,7 @@ bool PropertyChecker::TryCounting(const Property& property, PropertyResult& resu
   std::vector<execute::CellId> operands;
   for (const PropertyOperand& operand : property.operands)
     operands.insert(operands.end(), operand.cells.begin(), operand.cells.end());
-  std::vector<execute::CellId> behind = CellsBehind(terms_, relation, operands);
+  std::vector<execute::CellId> behind = NearestCellsBehind(terms_, relation, operands);
   if (behind.size() > kMostNearest) behind.resize(kMostNearest);
   if (invariants_.empty()) FindInvariantsAround(behind);
   Report("counting periods");

@@ -70,6 +70,35 @@ std::vector<execute::CellId> CellsBehind(const terms::Terms& terms, const machin
                                          std::span<const execute::CellId> cells) {
   std::vector<bool> seen_terms(terms.size()), seen_cells(relation.period().size());
   std::vector<execute::CellId> behind;
+  const auto add = [&](execute::CellId cell) {
+    if (!cell.valid() || seen_cells[cell.index]) return;
+    seen_cells[cell.index] = true;
+    behind.push_back(cell);
+  };
+  for (const execute::CellId cell : cells) add(cell);
+  for (size_t at = 0; at < behind.size(); ++at) {
+    std::vector<terms::TermId> open;
+    for (const std::vector<terms::TermId>* const part : {&relation.fast(), &relation.period()}) {
+      if (behind[at].index < part->size() && (*part)[behind[at].index].valid()) {
+        open.push_back((*part)[behind[at].index]);
+      }
+    }
+    while (!open.empty()) {
+      const terms::TermId term = open.back();
+      open.pop_back();
+      if (seen_terms[term.index]) continue;
+      seen_terms[term.index] = true;
+      if (terms[term].kind == terms::TermKind::kVariable) add(relation.CellOf(term));
+      terms.ForEachOperand(terms[term], [&open](terms::TermId operand) { open.push_back(operand); });
+    }
+  }
+  return behind;
+}
+
+std::vector<execute::CellId> NearestCellsBehind(const terms::Terms& terms, const machine::Relation& relation,
+                                                std::span<const execute::CellId> cells) {
+  std::vector<bool> seen_terms(terms.size()), seen_cells(relation.period().size());
+  std::vector<execute::CellId> behind;
   std::vector<terms::TermId> open;  // a queue: what was met first is nearest
   const auto meet = [&](terms::TermId term) {
     if (!term.valid() || seen_terms[term.index]) return;

@@ -40,8 +40,12 @@ std::vector<execute::CellId> CellsIn(const terms::Terms& terms, terms::TermId te
 std::map<terms::TermId, std::set<uint64_t>> ConstantsComparedWith(const terms::Terms& terms,
                                                                   std::span<const terms::TermId> roots);
 
-/// The cells on which the future of `cells` depends, themselves first, then by the number of operations between.
+/// The cells on which the future of `cells` depends, themselves first, then by the number of parts of a period that it
+/// takes.
 std::vector<execute::CellId> CellsBehind(const terms::Terms& terms, const machine::Relation& relation,
                                          std::span<const execute::CellId> cells);
+/// The same, themselves first, then by the number of operations between.
+std::vector<execute::CellId> NearestCellsBehind(const terms::Terms& terms, const machine::Relation& relation,
+                                                std::span<const execute::CellId> cells);
 
 }  // namespace plcxx::prove::properties
