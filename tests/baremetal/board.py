@@ -27,6 +27,7 @@ class Board:
 
     def __init__(self, name, build, emulator):
         self.name, self.build, self.emulator = name, pathlib.Path(build), emulator
+        self.starved = False  # the watchdog of the last machine ended it: this computer had no time for the emulator
 
     def command(self, program, *options):
         return [*self.emulator, "-nodefaults", "-display", "none", *options, "-semihosting-config", "enable=on,target=native",
@@ -60,6 +61,8 @@ class Board:
             ended = process.poll()
             process.kill()
             process.wait()
+            said = process.stdout.read() if ended is not None else ""
+            self.starved = "watchdog" in said
             if ended is not None:
-                print(f"the emulator ended by itself, with {ended}: {process.stdout.read()}", file=sys.stderr)
+                print(f"the emulator ended by itself, with {ended}: {said}", file=sys.stderr)
             process.stdout.close()
