@@ -7,6 +7,7 @@ Over QEMU's character devices: a socket's file or TCP, and a serial line. The pa
 the operator does to it there reaches the program; a board that permits reading only is not changed; one that is switched
 off and on again is found again, with nothing forced.
 """
+import contextlib
 import pathlib
 import sys
 import tempfile
@@ -85,17 +86,18 @@ def page(address, folder):
 
 def operate(transport, folder):
     port = free_port()
-    with BOARD.running("linked", transport, folder, port) as address:
-        server = page(address, folder)
-        shown = Shown(server)
-        sees(shown)
-        operates(server, shown)
-    assert shown.until_link(connected=False)["reason"]
-    assert "no connection" in server.refused("set", name="CNTHIGH", value="1")
-    if transport != "serial":  # another pseudo terminal has another name
-        with BOARD.running("linked", transport, folder, port):
-            comes_back(server, shown)
-    assert server.end() == 0
+    with contextlib.ExitStack() as servers:  # one that is left would take the next machine's link
+        with BOARD.running("linked", transport, folder, port) as address:
+            server = servers.enter_context(page(address, folder))
+            shown = Shown(server)
+            sees(shown)
+            operates(server, shown)
+        assert shown.until_link(connected=False)["reason"]
+        assert "no connection" in server.refused("set", name="CNTHIGH", value="1")
+        if transport != "serial":  # another pseudo terminal has another name
+            with BOARD.running("linked", transport, folder, port):
+                comes_back(server, shown)
+        assert server.end() == 0
     with BOARD.running("linked_shown", transport, folder) as address, page(address, folder) as server:
         shown = Shown(server)
         sees(shown)
