@@ -36,10 +36,11 @@ def check_sources(compiler, tree, sources):
     return done.stderr if done.returncode != 0 else ""
 
 
-def build_copy(tree, *targets):
-    """Configures the copy and builds targets there; what went wrong, or nothing."""
+def build_copy(compiler, tree, *targets):
+    """Configures the copy for a compiler and builds targets there; what went wrong, or nothing."""
     build = tree / "build"
-    for command in (["cmake", "-S", tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DPLCXX_TESTS=ON"],
+    for command in (["cmake", "-S", tree, "-B", build, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={compiler}",
+                     "-DCMAKE_BUILD_TYPE=Release", "-DPLCXX_TESTS=ON"],
                     ["ninja", "-C", build, *targets]):
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
         if done.returncode != 0:

@@ -66,9 +66,9 @@ def read_sources(compiler, tree, faults):
         faults.append(said)
 
 
-def build_and_run(tree, faults):
+def build_and_run(compiler, tree, faults):
     fuzz = [f"{name}_parser_fuzz" for name in NAMES]
-    said = build_copy(tree, "plcxx", "policy_test", "dialects_test", *fuzz)
+    said = build_copy(compiler, tree, "plcxx", "policy_test", "dialects_test", *fuzz)
     if said:
         faults.append(said)
         return
@@ -96,7 +96,7 @@ def main():
                 faults.append(f"the checklist of {name} was not looked at")
         read_sources(compiler, tree, faults)
     if not faults and "--build" in sys.argv:
-        build_and_run(tree, faults)
+        build_and_run(compiler, tree, faults)
     print("\n".join(faults) if faults else f"{' and '.join(NAMES)} are dialects")
     return 1 if faults else 0
 

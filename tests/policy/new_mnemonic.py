@@ -92,7 +92,7 @@ def main():
         if said:
             faults.append(f"{dialect}: {said}")
     if not faults and "--build" in sys.argv:
-        said = build_copy(tree, "plcxx")
+        said = build_copy(compiler, tree, "plcxx")
         if said:
             faults.append(said)
         for _, case, _, _ in MNEMONICS.values() if not said else ():
