@@ -44,6 +44,8 @@ TEST(Host50Locate, Addresses) {
   EXPECT_EQ(locate.Memory("W101"), "W+404 i32");
   EXPECT_EQ(locate.Memory("QF10"), "QF+40 f32");
   EXPECT_EQ(locate.Memory("Q4000"), "Q+500.0 bit");
+  for (const char* word : {"W120", "IW5", "QW5", "TM1.V", "C2.V"}) EXPECT_TRUE(locate(word)->has_sign) << word;
+  for (const char* other : {"I0", "QF10", "TM1"}) EXPECT_FALSE(locate(other)->has_sign) << other;
   EXPECT_FALSE(locate("Q2400"));
   EXPECT_FALSE(locate("Q4500"));
   EXPECT_FALSE(locate("X0"));

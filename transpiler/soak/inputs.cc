@@ -232,7 +232,7 @@ uint64_t Inputs::ValueFor(const Input& input, uint64_t now, terms::Random& rando
 }
 
 std::string Inputs::TextOf(const Input& input, uint64_t value) {
-  return input.is_float ? sim::ValueDigits(input.location.place.type, value) : std::to_string(value);
+  return sim::ValueDigits(input.location.place.type, value, scenarios::SignOf(input.location));
 }
 
 }  // namespace plcxx::soak

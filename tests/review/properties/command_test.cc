@@ -112,6 +112,38 @@ TEST(Prove, ACountOfCountsIsFoundByPulsesThatComeAgain) {
   EXPECT_THAT(ran.out, HasSubstr(" times ("));
 }
 
+// All words of host50 have a sign.
+TEST(Prove, AWordMayBeBelowZero) {
+  const Workplace work;
+  work.Write("m.il", "SLOW\nNETWORK\n  LD %I1\n  SUBW 0, %IW5, %W120\nEND_SLOW\n");
+  work.Write("m.prop", "never %W120 < 0\nnever %W120 = -5\n%W120 in -2147483648..2147483647\n");
+  const Ran ran = work.Run("prove m.il --property m.prop --counterexamples found");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("VIOLATED     never %W120 < 0")) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("VIOLATED     never %W120 = -5"));
+  EXPECT_THAT(ran.out, HasSubstr("proved       %W120 in -2147483648..2147483647"));
+  for (const char* found : {"property-1", "property-2"}) {
+    const Ran again = work.Run("test --engine sim found/" + std::string(found) + ".yaml");
+    EXPECT_EQ(again.code, 1) << again;
+  }
+  // What comes out is the smallest number, which is its own opposite.
+  work.Write("m.prop", "never %W120 = -2147483648\n");
+  EXPECT_THAT(work.Run("prove m.il --property m.prop").out, HasSubstr("IW5=-2147483648"));
+}
+
+TEST(Prove, AFloatIsSetAsTheNumberThatItIs) {
+  const Workplace work;
+  work.Write("m.il",
+             "SLOW\nNETWORK\n  LD 1\n  GT %IF10, 1.0\n  AND %I1\n  OUT %Q0\n  LD 1\n  LT %IF10, 2.0\n"
+             "  AND %Q0\n  OUT %Q1\nEND_SLOW\n");
+  work.Write("m.prop", "never %Q1\n");
+  const Ran ran = work.Run("prove m.il --property m.prop --counterexamples found");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("VIOLATED     never %Q1")) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("IF10=1."));
+  EXPECT_EQ(work.Run("test --engine sim found/property-1.yaml").code, 1);
+}
+
 TEST(Prove, WhatHoldsInReachableStatesOnlyNeedsInvariants) {
   // A ring of three steps that I0A0 moves on: from a state with two of them, any two may meet.
   const Machine machine(

@@ -6,10 +6,12 @@
 #include <variant>
 
 #include "transpiler/prove/machine/transition.h"
+#include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/heading.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/scenario.h"
 #include "transpiler/scenarios/suite.h"
+#include "transpiler/sim/value_text.h"
 #include "transpiler/yaml/words.h"
 
 namespace plcxx::review::properties {
@@ -54,6 +56,22 @@ std::string Line(const std::vector<std::string>& steps) {
   return line;
 }
 
+/// Values as a scenario sets them: with their sign, or as the floating-point numbers that they are.
+class InputTexts {
+ public:
+  explicit InputTexts(const scenarios::ProveMachine& machine)
+      : dialect_(*machine.compilation.dialect), names_(machine.compilation.program) {}
+  std::string Of(const scenarios::InputWord& word, uint64_t value) const {
+    const std::optional<dialects::Location> location = dialect_.locate(names_, word.name);
+    return location ? sim::ValueDigits(location->place.type, value, scenarios::SignOf(*location))
+                    : std::to_string(value);
+  }
+
+ private:
+  const dialects::Dialect& dialect_;
+  ir::NameIndex names_;
+};
+
 /// The steps of the run; false: an input has no name.
 bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties::PropertyRun& run,
                 PropertyScenario& scenario) {
@@ -82,6 +100,7 @@ bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties:
                 prove::machine::PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit);
     }
   }
+  const InputTexts texts(machine);
   uint32_t runs = 0;  // parts without a change in between
   std::string steps;
   std::vector<std::string> lines;
@@ -103,8 +122,9 @@ bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties:
       if (!changes) continue;
       uint64_t value = 0;
       for (size_t i = 0; i < word.cells.size(); ++i) value |= uint64_t{now[word.cells[i]] ? 1U : 0U} << i;
-      sets += (sets.empty() ? "" : ", ") + Scalar(word.name) + ": " + std::to_string(value);
-      add_line(word.name + "=" + std::to_string(value));
+      const std::string text = texts.Of(word, value);
+      sets += (sets.empty() ? "" : ", ") + Scalar(word.name) + ": " + text;
+      add_line(word.name + "=" + text);
     }
     if (!sets.empty()) steps += "- set: {" + sets + "}\n";
   };

@@ -72,6 +72,7 @@ std::optional<dialects::Location> Locate(const ir::NameIndex& names, std::string
     location.place = MemoryPlace(*address);
   }
   location.place.name = NameOf(*address);
+  location.has_sign = location.place.type == ir::Type::kI32;  // all words are (specification 5)
   return location;
 }
 
