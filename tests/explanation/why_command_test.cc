@@ -99,7 +99,19 @@ TEST_F(Why, AStateInTheMiddle) {
   EXPECT_THAT(Ask(steps, "U4A8").out, HasSubstr("U4A8 is 0 at 50 ms"));
   EXPECT_THAT(Ask(steps, "U4A8 --step 2").out, HasSubstr("U4A8 is 1 at 20 ms"));
   EXPECT_THAT(Ask(steps, "U4A8 --at 15ms").out, HasSubstr("U4A8 is 1 at 10 ms"));
-  EXPECT_THAT(Ask(steps, "U4A8 --step 1").out, HasSubstr("nothing has run yet"));
+  EXPECT_THAT(Ask(steps, "U4A8 --step 1").out, HasSubstr("nothing has run since power-on"));
+}
+
+// The scan before a power cut says nothing of the state after it.
+TEST_F(Why, AfterAPowerCycle) {
+  const std::string steps = "- set: {I0A7: 1, I0A3: 1}\n- run: {slow: 3}\n- power_cycle: {}\n";
+  EXPECT_EQ(Ask(steps, "U4A8").out, "U4A8 is 0: nothing has run since power-on\n");
+  EXPECT_THAT(Ask(steps, "U4A8 --step 2").out, HasSubstr("U4A8 is 1 at 20 ms"));
+  EXPECT_THAT(Ask(steps + "- set: {I0A7: 1, I0A3: 1}\n- run: {slow: 1}\n", "U4A8").out, HasSubstr("U4A8 is 1 at 0 ms"));
+  work.Write("t.yaml", Yaml(steps + "- expect: {U4A8: 1}\n"));
+  const Ran failed = work.Run("test --engine sim t.yaml");
+  EXPECT_EQ(failed.code, 1);
+  EXPECT_THAT(failed.out, AllOf(HasSubstr("nothing has written U4A8 since power-on"), Not(HasSubstr("why:"))));
 }
 
 // A scenario ends at the first step that fails: what is told then is no answer to what was asked, and has to say so.

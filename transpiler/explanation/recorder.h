@@ -30,6 +30,7 @@ class Recorder : public sim::Simulator {
   void EndAt(uint64_t time_ms) { end_ms_ = time_ms; }
 
   const std::vector<Part>& parts() const { return parts_; }
+  bool has_run_since_power_on() const { return !parts_.empty() && parts_.back().session + 1 == power_ons_; }
   bool has_ended() const { return has_ended_; }
   /// None: that part was not executed.
   std::optional<Frame>& frame() { return frame_; }

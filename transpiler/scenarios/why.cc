@@ -47,12 +47,12 @@ class Investigation {
     std::optional<sim::LastWrite> newest;
     Execute({}, [&](Recorder& recorder) {
       parts_ = recorder.parts();
+      answer_.has_run = recorder.has_run_since_power_on();
       answer_.value = sim::ValueDigits(question_.location.place.type, ReadLocation(recorder, question_.location),
                                        SignOf(question_.location));
       const auto writes = recorder.last_writes()->Of(AskedPlace());
       if (!writes.empty()) newest = writes.front();
     });
-    answer_.has_run = !parts_.empty();
     if (!answer_.has_run) return std::move(answer_);
     answer_.time_ms = parts_.back().now_ms;
     if (newest && newest->writer != sim::Writer::kProgram) {

@@ -32,7 +32,7 @@ struct WhyQuestion {
 struct WhyAnswer {
   std::string value;
   uint64_t time_ms = 0;  // of the last scan
-  bool has_run = false;  // at least one scan
+  bool has_run = false;  // at least one scan since power-on
   /// The first one is the signal. Conditions of earlier scans are reasons of what was kept from them.
   std::vector<explanation::Condition> conditions;
   std::string refusal;  // why there are none; lower case, no full stop

@@ -118,7 +118,7 @@ std::string OriginText(const Condition& condition, const ir::Program& program, c
 std::string WhyText(const WhyAnswer& answer, const WhyQuestion& question, const compilation::Compilation& compilation,
                     size_t most_lines) {
   std::string text = question.name + " is " + answer.value + " at " + std::to_string(answer.time_ms) + " ms";
-  if (!answer.has_run) return question.name + " is " + answer.value + ": nothing has run yet\n";
+  if (!answer.has_run) return question.name + " is " + answer.value + ": nothing has run since power-on\n";
   if (!answer.refusal.empty()) return text + "; why is not known: " + answer.refusal + "\n";
   text += ": " + OriginText(answer.conditions.front(), compilation.program, *compilation.sources) + "\n";
   return text + Writer(answer, compilation.program, *compilation.sources, most_lines).Write();
