@@ -120,6 +120,11 @@ def main():
             wrong = soak(work, *door, "--engine", "fleet", *arguments)
             expect(wrong.returncode == 2 and words in wrong.stderr, words, wrong)
 
+        # Sections of host50 have numbers below 0: as plcxx test tells them.
+        (work / "turn.il").write_text("SLOW\nNETWORK\n  LD %I1\n  ROT 8, %IW1, %IW2, %W1, M=1\n  OUT %Q0\nEND_SLOW\n")
+        turn = soak(work, "turn.il", "--for", "1min")
+        expect("fault ROT_RANGE (section -1, network 0)" in turn.stdout, "the section is not named", turn)
+
         # What was found is a scenario that fails, and the shortest one.
         found = "property-never-u4a0-and-u4a1.yaml"
         expect(found in names and "coverage.html" in names, f"not written: {names}")

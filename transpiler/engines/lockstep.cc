@@ -19,13 +19,6 @@ std::string ByEngine(const sim::Engine& engine, const std::string& text) {
   return std::string(engine.name()) + ": " + text;
 }
 
-/// Words without a sign; but nothing counts up to where small negative numbers are.
-std::string ArgumentText(ir::Type type, uint64_t value) {
-  constexpr uint64_t kSmallNegative = 0xFFFF'0000;
-  const bool negative = type == ir::Type::kI32 && value >= kSmallNegative;
-  return sim::ValueDigits(type, value, negative ? sim::Sign::kTwosComplement : sim::Sign::kNone);
-}
-
 bool SameCall(const ir::Program& program, const sim::HostEvent& one, const sim::HostEvent& other) {
   return one.function == other.function &&
          sim::SameArguments(program.host_functions[one.function], one.arguments, other.arguments);
@@ -241,6 +234,12 @@ void Lockstep::CompareEvents(sim::Engine& other) {
   const bool is_same = std::ranges::equal(
       found, expected, [this](const auto& one, const auto& another) { return SameCall(program_, one, another); });
   if (!is_same) CallsDiffer(other, ToText(program_, expected), ToText(program_, found));
+}
+
+std::string ArgumentText(ir::Type type, uint64_t value) {
+  constexpr uint64_t kSmallNegative = 0xFFFF'0000;
+  const bool negative = type == ir::Type::kI32 && value >= kSmallNegative;
+  return sim::ValueDigits(type, value, negative ? sim::Sign::kTwosComplement : sim::Sign::kNone);
 }
 
 std::string ToText(const ir::Program& program, const sim::HostEvent& event) {

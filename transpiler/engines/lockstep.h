@@ -117,6 +117,8 @@ class Lockstep : public sim::Engine {
   std::optional<sim::HostEvent> false_fact_;
 };
 
+/// An argument of a host call, a word without a sign; but nothing counts up to where small negative numbers are.
+std::string ArgumentText(ir::Type type, uint64_t value);
 /// "fault(kind: PARAM_RANGE, index: 20)"
 std::string ToText(const ir::Program& program, const sim::HostEvent& event);
 std::string ToText(const ir::Program& program, const std::vector<sim::HostEvent>& events);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/engines/lockstep.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
 #include "transpiler/ir/zones.h"
@@ -64,7 +65,7 @@ std::optional<Cause> WatchPlan::FaultOf(const sim::HostEvent& event) const {
     } else {
       // How far an index was out is no other cause; where kinds have no names, the first number is one.
       if (!is_named && i == 0) cause.key += "\n" + std::to_string(value);
-      numbers += (numbers.empty() ? "" : ", ") + parameter.name + " " + std::to_string(value);
+      numbers += (numbers.empty() ? "" : ", ") + parameter.name + " " + engines::ArgumentText(parameter.type, value);
     }
   }
   if (!where.empty()) cause.text += " at " + where;
