@@ -65,6 +65,36 @@ TEST(Changes, AreThoseOfTheStatements) {
                        "report is not called"}));
 }
 
+// Nobody has written these numbers, and a routine may tell them on.
+TEST(Changes, WhatAFaultSaysOfItselfIsNone) {
+  ir::Program program = ir::ReadOrDie(R"(
+    space m 4 volatile little
+    place a bit m[0].0
+    space own 8 routine little own
+    place at i32 own[0]
+    host fault (kind : i8, number : i32)
+    routine tell subroutine (at : i32 = at) {
+      stmt s1
+      %0 = load at
+      %1 = const i8 2
+      host fault (%1, %0)
+    }
+    routine fast fast {
+      stmt s2
+      %2 = load a
+      if %2 {
+        %3 = const i32 1151664144
+        call tell (%3)
+        %4 = const i8 3
+        host fault (%4, %3)
+      }
+    })");
+  for (uint32_t i = 0; i < program.statements.size(); ++i) program.statements[ir::StatementId(i)].id = 1151664143 + i;
+  EXPECT_EQ(TextsOf(FindChanges(program, source::SourceManager())),
+            (std::vector<std::string>{"fault is not called", "a is always 0", "a is always 1", "tell is not called",
+                                      "fault is not called"}));
+}
+
 TEST(Changes, LeaveAProgramAndChangeIt) {
   const ir::Program program = Sample();
   const std::string before = ir::Print(program);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "transpiler/ir/bit_logic.h"
@@ -14,6 +16,9 @@ namespace plcxx::mutate {
 namespace {
 
 constexpr size_t kMostQuoted = 40;  // bytes of the source that are shown for a value
+
+/// As every language names the function by which a program reports a fault.
+constexpr std::string_view kFault = "fault";
 
 bool IsInteger(ir::Type type) {
   return type == ir::Type::kI8 || type == ir::Type::kI16 || type == ir::Type::kI32 || type == ir::Type::kI64;
@@ -31,6 +36,10 @@ class Finder {
       : program_(program), sources_(sources), names_(program), uses_(program.insts.size()) {
     for (uint32_t i = 0; i < program.insts.size(); ++i) {
       ir::ForEachUse(program, program[ir::InstId(i)], [this](uint32_t value) { ++uses_[value]; });
+    }
+    for (uint32_t i = 0; i < program.statements.size(); ++i) {
+      const uint32_t number = program.statements[ir::StatementId(i)].id;
+      if (number != 0) statement_numbers_.insert(number);
     }
   }
 
@@ -87,11 +96,24 @@ class Finder {
 
   void Use(const ir::Inst& user, ir::ValueId id) {
     const ir::Inst& value = program_[id];
-    if (value.op == ir::OpKind::kConst) return UseOfConstant(value);
+    if (value.op == ir::OpKind::kConst) {
+      if (!IsOfAFault(user, value)) UseOfConstant(value);
+      return;
+    }
     if (!IsContact(value)) return;
     const std::string name = NameOf(value);
     if (!StandsFor(user, ir::OpKind::kBitAnd)) Add(ChangeKind::kAlways0, value.range, name + " is always 0");
     if (!StandsFor(user, ir::OpKind::kBitOr)) Add(ChangeKind::kAlways1, value.range, name + " is always 1");
+  }
+
+  /// What a fault says of itself: its kind and the number of its statement, which lowering writes.
+  bool IsOfAFault(const ir::Inst& user, const ir::Inst& constant) const {
+    const ir::Shape shape = ir::Info(user.op).shape;
+    if (shape != ir::Shape::kCall && shape != ir::Shape::kHostCall) return false;
+    const ir::Call& call = program_.calls[ir::CallId(user.payload)];
+    if (call.host.valid() && program_.host_functions[call.host].name == kFault) return true;
+    return constant.type == ir::Type::kI32 &&
+           statement_numbers_.contains(static_cast<uint32_t>(ir::ConstantValue(constant)));
   }
 
   /// Whether an earlier operand of `user`, a series or a parallel circuit, has the same change already: the value that
@@ -200,7 +222,8 @@ class Finder {
   const source::SourceManager& sources_;
   const ir::NameIndex names_;
   std::vector<uint32_t> uses_;  // by ValueId
-  Change at_;                   // of what is being looked at
+  std::set<uint32_t> statement_numbers_;
+  Change at_;  // of what is being looked at
   std::vector<Change> changes_;
 };
 
