@@ -20,6 +20,7 @@ namespace {
 using execute::Cell;
 using execute::CellId;
 using execute::CellKind;
+using execute::HostRole;
 using prove::machine::Version;
 using terms::Random;
 
@@ -30,14 +31,15 @@ uint64_t Mixed(uint64_t hash, uint64_t value) {
 }
 
 /// Whose answers a program gets: those of the dialect's simulated control, which look at all the state; or a function's
-/// own, which depend on the seed and on all calls before, of the regular exchange on that function's calls alone.
+/// own, which depend on the seed and on all calls before but reports of faults, of the regular exchange and of these on
+/// that function's calls alone.
 enum class Answers : uint8_t { kOfControl, kOfCalls };
 
 class Machine {
  public:
   Machine(const DiffSide& side, Answers answers, uint64_t seed)
       : program_(side.compilation.program),
-        is_ordered_(execute::MakeCells(program_).is_ordered),
+        roles_(execute::MakeCells(program_).roles),
         simulator_(program_),
         control_(program_, *side.compilation.dialect, simulator_,
                  answers == Answers::kOfControl
@@ -65,7 +67,7 @@ class Machine {
     for (uint32_t f = 0; f < functions_.size(); ++f) {
       Asked& asked = functions_[f];
       const ir::HostAccess access = program_.host_functions[ir::HostFunctionId(f)].access;
-      for (uint32_t i = 0; is_ordered_[f] && i < watched_.size(); ++i) {
+      for (uint32_t i = 0; roles_[f] != HostRole::kExchange && i < watched_.size(); ++i) {
         const ir::Place& place = watched_[i];
         if (!place.is_field() && execute::HostSees(access, program_.spaces[place.space])) asked.sees.push_back(i);
       }
@@ -109,7 +111,7 @@ class Machine {
       uint64_t& calls = *own.calls;
       for (const uint64_t argument : event.arguments) calls = Mixed(calls, argument);
       calls = Mixed(calls, 1);
-      if (is_ordered_[event.function.index]) *in_order_ = Mixed(Mixed(*in_order_, own.name), calls);
+      if (roles_[event.function.index] != HostRole::kExchange) *in_order_ = Mixed(Mixed(*in_order_, own.name), calls);
     }
     return calls_;
   }
@@ -119,7 +121,7 @@ class Machine {
     const ir::HostFunction& function = program_.host_functions[id];
     Asked& own = functions_[id.index];
     for (const uint32_t i : own.sees) own.seen[i] = Mixed(own.seen[i], simulator_.Read(watched_[i]) + 1);
-    uint64_t& asked = is_ordered_[id.index] ? asked_in_order_ : own.asked;
+    uint64_t& asked = roles_[id.index] == HostRole::kAction ? asked_in_order_ : own.asked;
     asked = Mixed(asked, seed);
     for (const uint64_t argument : arguments) asked = Mixed(asked, argument);
     asked = Mixed(asked, own.name);
@@ -136,7 +138,7 @@ class Machine {
   }
 
   const ir::Program& program_;
-  std::vector<bool> is_ordered_;
+  std::vector<HostRole> roles_;
   sim::Simulator simulator_;
   scenarios::ScenarioControl control_;
   sim::Clock clock_;

@@ -46,6 +46,52 @@ BITY: DFM CEKA
   EXPECT_EQ(RunThatShowsQ(diff), "A=1, slow 1, REQ_CLOSE_ALL=0, slow 1");
 }
 
+/// What the control answers depends on what it was asked, not on faults that the program has reported.
+TEST(Requests, AFaultOfOneVersionChangesNoAnswer) {
+  const std::string program = R"(        DATA
+IN0: DFM A
+OUT0: DFM Q
+N: DS 2
+X: DS 2
+        DATA_END
+        MODULE_MAIN
+        LDR A
+        FL1 1,REQ_CLOSE_ALL
+        LDR REQ_CLOSE_ALL
+        WR Q
+        LOD N
+        @
+        STO X
+        MODULE_MAIN_END
+        STOP
+)";
+  const Diff diff = ComparedTexts(kTechnol, With(program, ""), With(program, "BIN"));
+  EXPECT_EQ(NamesIn(diff), "calls of fault X ");
+  for (const DiffItem& item : diff.items) EXPECT_EQ(item.verdict, ItemVerdict::kDifferent) << item.name;
+}
+
+/// They are loaded at power-on by programs that use them; the control writes nothing else then.
+TEST(Requests, MachineConstantsOfOneVersionAlone) {
+  const std::string program = R"(        DATA
+IN0: DFM A
+OUT0: DFM Q
+N: DS 2
+        DATA_END
+        MODULE_INIT
+        LOD @
+        STO N
+        MODULE_INIT_END
+        MODULE_MAIN
+        LDR A
+        WR Q
+        MODULE_MAIN_END
+        STOP
+)";
+  const Diff diff = ComparedTexts(kTechnol, With(program, "CNST.5"), With(program, "DWRD.BUKON20"));
+  EXPECT_EQ(NamesIn(diff), "calls of machine_constants N ");
+  for (const DiffItem& item : diff.items) EXPECT_EQ(item.verdict, ItemVerdict::kDifferent) << item.name;
+}
+
 /// More periods than the solver looks at.
 TEST(Requests, WhatComesWhenManyWereDone) {
   const std::string program = R"(        DATA

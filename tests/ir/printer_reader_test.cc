@@ -33,7 +33,7 @@ place ROW i8 A[8] stride 2 low 8 high 28 indexed
 place T5U bit field T5 done
 place slice i32 locals[0]
 place slice~2 i32 locals[4] named slice
-host fault (kind : i8 = (LOW, HIGH), index : i32) -> i16 writes_state "what it is"
+host fault (kind : i8 = (LOW, HIGH), index : i32) -> i16 writes_state in A "what it is"
 host now () -> i32 routine_exchange
 text "START"
 statement s1f subject U4A8 opens

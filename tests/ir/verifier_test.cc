@@ -170,6 +170,12 @@ TEST(Verifier, StepsAdvanceInstancesOfTheirKind) {
               ElementsAre("fast, text.update: no text flag", "fast, text.update: no text inbox"));
 }
 
+TEST(Verifier, OnlyWhoWritesTheStateHasASpaceForIt) {
+  EXPECT_THAT(Findings(ReadOrDie("space m 4 volatile little\nhost fill () writes_state in m\n")), IsEmpty());
+  EXPECT_THAT(Findings(ReadOrDie("space m 4 volatile little\nhost fill () reads_state in m\n")),
+              ElementsAre("host function fill: writes no such space"));
+}
+
 TEST(Verifier, PlacesLieInsideTheirSpaces) {
   EXPECT_THAT(Findings(ReadOrDie("space m 4 volatile little\nplace w i32 m[1]\n")),
               ElementsAre("place w: outside of space m"));

@@ -119,6 +119,22 @@ constexpr const char* kCallsOfProStep = R"(:MOD PM 0
 :END PM 20
 )";
 
+/// A call of the host in a module, and one behind the call of the module.
+constexpr const char* kOrderOfProStep = R"(:MOD PM 0
+:JU PM 17
+:JU FM 41
+: K 41
+: K 1
+: OB 106
+:END PM 0
+:MOD PM 17
+:JU FM 51
+: IB 106
+: K 41
+: K 1
+:END PM 17
+)";
+
 constexpr Mutation kMutations[] = {
     // The emitter.
     {"and_to_or", "turret.cpp", "m[U4A0] & m[I0A2]", "m[U4A0] | m[I0A2]"},
@@ -199,6 +215,13 @@ constexpr Mutation kMutationsOfProStep[] = {
     {"prostep_other_module", "turret.cpp", "        PM11(m, host);", "        PM10(m, host);"},
 };
 
+constexpr Mutation kMutationsOfOrder[] = {
+    {"prostep_read_first", "turret.cpp",
+     "  PM17(m, host);\n\n  // :JU FM 41\n  // : K 41\n  // : K 1\n  // : OB 106\n"
+     "  if (nc_read(host, 1, 41, 1, nc_value)) {",
+     "  const bool read = nc_read(host, 1, 41, 1, nc_value);\n  PM17(m, host);\n  if (read) {"},
+};
+
 struct Flags {
   std::string_view text;  // separated by blanks
   Outcome expected;
@@ -253,6 +276,11 @@ TEST_F(MutationTest, ChangesInLoopsOfTechnolAreCaught) {
 TEST_F(MutationTest, ChangesInLoopsOfHost50AreCaught) {
   Subject loop("turret.il", kLoopOfHost50, "host50");
   ExpectAllCaught(loop, kMutationsOfHost50);
+}
+
+TEST_F(MutationTest, TheOrderOfCallsAcrossAModuleIsCaught) {
+  Subject calls("turret.plc", kOrderOfProStep, "prostep");
+  ExpectAllCaught(calls, kMutationsOfOrder);
 }
 
 TEST_F(MutationTest, ChangesOfCallsInProStepAreCaught) {

@@ -115,11 +115,11 @@ class PartTerms::Watch : public execute::ReplacedParts {
   /// What the call writes while it is executed; what is written after that is where arms are joined.
   void NoteCall(ir::CallId call) {
     host_function_ = program_.calls[call].host;
-    const ir::HostAccess access = program_.host_functions[host_function_].access;
+    const ir::HostFunction& host = program_.host_functions[host_function_];
     for (uint32_t i = 0; i < program_.spaces.size(); ++i) {
       const ir::SpaceId space(i);
       for (uint32_t offset = 0; offset < program_.spaces[space].bytes; ++offset) {
-        const uint8_t written = execute::BitsHostWrites(program_, access, space, offset);
+        const uint8_t written = execute::BitsMayWrite(program_, host, space, offset);
         for (uint8_t bit = 0; bit < 8; ++bit) {
           if ((written >> bit & 1) != 0) host_own_.insert(part_.cells_.OfBit(space, offset, bit).index);
         }
@@ -262,8 +262,7 @@ void PartTerms::Execute(std::span<const execute::CellId> wanted) {
 }
 
 void PartTerms::ReplayCalls() {
-  std::vector<uint64_t> told(program_.host_functions.size());
-  uint64_t order = 0;
+  std::vector<uint64_t> told(cells_.CallCells());
   for (const RecordedCall& call : frame_.calls) {
     const std::string& name = program_.host_functions[call.function].name;
     const terms::TermFunction function{.name = "told " + name, .width = 64, .evaluate = nullptr};
@@ -272,10 +271,11 @@ void PartTerms::ReplayCalls() {
       arguments.insert(arguments.end(), call.arguments.begin(), call.arguments.end());
       return terms::MadeUpValue(function, arguments);
     };
-    uint64_t& own = told[call.function.index];
-    own = after(own);
-    uint64_t key = own;
-    if (cells_.is_ordered[call.function.index]) key = order = after(order);
+    uint64_t key = 0;
+    for (const execute::CellId chain : cells_.ChainsOf(call.function)) {
+      uint64_t& calls = told[chain.index - cells_.calls];
+      key = calls = after(calls);
+    }
     answers_[{name, key}] = call.answer;
   }
 }

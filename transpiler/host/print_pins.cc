@@ -1,5 +1,6 @@
 #include "transpiler/emit/print/cpp_printer.h"
 #include "transpiler/host/pins_printer.h"
+#include "transpiler/ir/host_functions.h"
 
 namespace plcxx::host {
 namespace {
@@ -107,7 +108,7 @@ void PinsPrinter::EventTable(std::string& out) const {
     if (count > 0)
       out += "constexpr plcxx::host::EventArgument " + function.name + "_arguments[] = {" + arguments + "\n};\n";
     rows += "    {" + CppString(function.name) +
-            ", plcxx::host::Severity::" + (function.name == "fault" ? "kFault" : "kNotice") + ", " +
+            ", plcxx::host::Severity::" + (ir::ReportsFault(function) ? "kFault" : "kNotice") + ", " +
             (count > 0 ? function.name + "_arguments" : std::string("nullptr")) + ", " + Number(count) + "},\n";
   }
   out +=

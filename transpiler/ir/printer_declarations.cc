@@ -98,6 +98,7 @@ void PrintHostFunctions(Printer& printer) {
     if (host.access != HostAccess::kNone) {
       out += ' ';
       out += text::kAccesses[static_cast<size_t>(host.access)];
+      if (host.only_space.valid()) out += " in " + printer.spaces[host.only_space.index];
     }
     if (host.routine_exchange) out += " routine_exchange";
     if (host.polled) out += " polled";

@@ -135,6 +135,8 @@ struct HostFunction {
   /// one, the place keeps its value.
   Parameter out;
   HostAccess access = HostAccess::kNone;
+  /// Of kWritesState: all that it writes lies in this space; none: it may write whatever the control writes.
+  SpaceId only_space;
   /// Part of the regular exchange (time, inputs, outputs, loading): not an event that scenarios list.
   bool routine_exchange = false;
   /// Called in every period while something stands (a request): an event, but scenarios need not list each call.

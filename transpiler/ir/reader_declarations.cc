@@ -141,6 +141,7 @@ void ReadHostFunction(Reader& reader) {
   for (size_t i = 0; i < std::size(text::kAccesses); ++i) {
     if (reader.Accept(text::kAccesses[i])) host.access = static_cast<HostAccess>(i);
   }
+  if (reader.Accept("in")) host.only_space = reader.Known(reader.spaces, "space");
   host.routine_exchange = reader.Accept("routine_exchange");
   host.polled = reader.Accept("polled");
   ReadNamed(reader, host.name);

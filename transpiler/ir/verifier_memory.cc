@@ -67,6 +67,10 @@ void VerifyMemoryPlace(Verifier& verifier, const Place& place) {
 
 void Verifier::VerifyMemory() {
   for (const Space& space : program.spaces) VerifySpace(*this, space);
+  for (const HostFunction& host : program.host_functions) {
+    const bool is_known = host.access == HostAccess::kWritesState && host.only_space.index < program.spaces.size();
+    if (host.only_space.valid() && !is_known) Report("host function " + host.name + ": writes no such space");
+  }
   for (const Place& place : program.places) {
     if (place.is_field()) {
       VerifyField(*this, place);

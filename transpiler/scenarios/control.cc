@@ -80,7 +80,9 @@ ScenarioControl::ScenarioControl(const ir::Program& program, const dialects::Dia
 sim::HostAnswer ScenarioControl::Answer(ir::HostFunctionId id, std::span<const uint64_t> arguments) {
   const ir::HostFunction& function = program_.host_functions[id];
   sim::HostAnswer answer;
+  only_space_ = function.only_space;
   answer.result = Fitting(function.result, stub_->Call(function, arguments, *this, answer.out));
+  only_space_ = {};
   if (answer.out) answer.out = Fitting(function.out.type, *answer.out);
   return answer;
 }
@@ -227,6 +229,7 @@ uint8_t ScenarioControl::Get(ir::SpaceId space, uint32_t offset) const {
 
 void ScenarioControl::Set(ir::SpaceId space, uint32_t offset, uint8_t value) {
   const uint8_t before = Get(space, offset);
+  PLCXX_CHECK(!only_space_.valid() || only_space_ == space || value == before);
   if (!is_setting_) CheckWrite(program_.spaces[space], offset, before, value);
   const uint8_t kept = set_bits_[space.index][offset];
   const auto after = static_cast<uint8_t>((before & kept) | (value & ~kept));

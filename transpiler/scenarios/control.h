@@ -123,6 +123,7 @@ class ScenarioControl : private dialects::ImagePort {
   sim::Engine& engine_;
   std::unique_ptr<dialects::ControlStub> stub_;
   std::vector<std::vector<uint8_t>> set_bits_;  // by SpaceId and byte: bits that the scenario has set
+  ir::SpaceId only_space_;                      // of the host function that is answered
   bool is_setting_ = false;                     // what the scenario wants, by the stub
   bool looks_ = true;
   sim::MessageTracker messages_;

@@ -6,14 +6,12 @@
 #include "transpiler/engines/lockstep.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/facts.h"
+#include "transpiler/ir/host_functions.h"
 #include "transpiler/ir/zones.h"
 #include "transpiler/prove/machine/version.h"
 
 namespace plcxx::soak {
 namespace {
-
-/// As every language names the function by which a program reports a fault.
-constexpr std::string_view kFault = "fault";
 
 bool ContainsCallOf(const ir::Program& program, ir::RegionId region, const std::vector<bool>& functions) {
   bool found = false;
@@ -28,7 +26,7 @@ bool ContainsCallOf(const ir::Program& program, ir::RegionId region, const std::
 
 WatchPlan::WatchPlan(const scenarios::ProveMachine& machine, std::vector<prove::properties::Property> properties)
     : machine_(machine), properties_(std::move(properties)) {
-  for (const ir::HostFunction& function : program().host_functions) is_fault_.push_back(function.name == kFault);
+  for (const ir::HostFunction& function : program().host_functions) is_fault_.push_back(ir::ReportsFault(function));
   if (const ir::HostFunctionId id = ir::FalseFactOf(program()); id.valid()) is_fault_[id.index] = true;
   for (uint32_t i = 0; i < program().statements.size(); ++i) {
     statement_of_id_.emplace(program().statements[ir::StatementId(i)].id, ir::StatementId(i));

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "transpiler/prove/diff/comparison.h"
+#include "transpiler/prove/diff/power_on_calls.h"
 #include "transpiler/prove/diff/relations.h"
 #include "transpiler/prove/diff/renamed.h"
 
@@ -48,6 +49,12 @@ void AddMatched(Comparison& comparison) {
     }
     comparison.result_of_old[i] = static_cast<uint32_t>(comparison.results.size());
     comparison.results.push_back({.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
+    if (old_cell.index >= comparison.old_version.cells.calls &&
+        OnlyCaller(comparison.old_version, old_cell, comparison.new_version, new_cell)) {
+      comparison.results.back().verdict = PairVerdict::kDifferent;
+      comparison.results.back().changed_itself = true;
+      comparison.pairing.Separate(old_cell);
+    }
     const bool written = comparison.old_uses.writes[i] || comparison.new_uses.writes[new_cell.index];
     if (written && MayBeSeen(comparison.old_version, old_cell) && MayBeSeen(comparison.new_version, new_cell)) {
       comparison.old_observed.push_back(old_cell);
@@ -83,8 +90,7 @@ void AddUnmatched(const Comparison& comparison, CompareResult& all) {
 void SetVerdicts(Comparison& comparison) {
   for (PairResult& result : comparison.results) {
     if (result.verdict != PairVerdict::kUndecided) continue;
-    const bool written =
-        comparison.old_uses.writes[result.old_cell.index] || comparison.new_uses.writes[result.new_cell.index];
+    const bool written = comparison.IsWritten(result);
     result.verdict = !comparison.pairing.IsEqual(result.old_cell) ? PairVerdict::kUndecided
                      : written                                    ? PairVerdict::kEqual
                                                                   : PairVerdict::kUntouched;
@@ -153,8 +159,7 @@ std::vector<execute::CellId> SeparatedCells(const Comparison& comparison) {
 uint32_t ConstantCount(const Comparison& comparison) {
   uint32_t count = 0;
   for (const PairResult& result : comparison.results) {
-    const bool written =
-        comparison.old_uses.writes[result.old_cell.index] || comparison.new_uses.writes[result.new_cell.index];
+    const bool written = comparison.IsWritten(result);
     count += written && comparison.pairing.IsConstantPair(result.old_cell) ? 1 : 0;
   }
   return count;
@@ -210,8 +215,7 @@ void ProveWithRenamed(Comparison& comparison) {
 /// What anybody may set and neither version writes is no item of a comparison that was not finished.
 void LeaveOutInputs(Comparison& comparison) {
   for (PairResult& result : comparison.results) {
-    const bool written =
-        comparison.old_uses.writes[result.old_cell.index] || comparison.new_uses.writes[result.new_cell.index];
+    const bool written = comparison.IsWritten(result);
     if (result.verdict == PairVerdict::kUndecided && !written && comparison.IsInput(result.old_cell))
       result.verdict = PairVerdict::kUntouched;
   }

@@ -81,6 +81,10 @@ struct Comparison {
   const PairResult* ResultOf(execute::CellId old_cell) const;
   /// See IsInputPair; and what the operator sends.
   bool IsInput(execute::CellId old_cell) const;
+  /// By either version.
+  bool IsWritten(const PairResult& result) const {
+    return old_uses.writes[result.old_cell.index] || new_uses.writes[result.new_cell.index];
+  }
 
   size_t InvariantCount() const {
     return relations.size() + (old_finder ? old_finder->invariants().size() + new_finder->invariants().size() : 0);

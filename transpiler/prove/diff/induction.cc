@@ -292,6 +292,16 @@ std::optional<std::array<machine::Transition, 2>> ExecutePowerOn(Comparison& com
 
 namespace {
 
+/// What anybody may set, and no version writes, is set alike before the first part, whatever the host wrote at a call
+/// that one version alone makes. Not what was stored, or declared otherwise: that stays if nobody sets it.
+bool IsSetAlike(const Comparison& comparison, const PairResult& result) {
+  return comparison.IsInput(result.old_cell) && !comparison.IsWritten(result) &&
+         PowerOnValue(comparison.old_version, result.old_cell) ==
+             PowerOnValue(comparison.new_version, result.new_cell) &&
+         !machine::IsRetentive(comparison.old_version, result.old_cell) &&
+         !machine::IsRetentive(comparison.new_version, result.new_cell);
+}
+
 /// Separates the pairs that differ when power comes; gives the questions about them. None: comparison.refusal says why.
 std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison) {
   comparison.Report("power-on");
@@ -301,6 +311,7 @@ std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison) {
   std::vector<Question> questions;
   for (uint32_t i = 0; i < comparison.results.size(); ++i) {
     const PairResult& result = comparison.results[i];
+    if (IsSetAlike(comparison, result)) continue;
     const solver::TermPair pair{old_init.next[result.old_cell.index], new_init.next[result.new_cell.index]};
     if (comparison.pairing.IsEqual(result.old_cell) && pair.a != pair.b) questions.push_back({pair, i});
   }
@@ -332,8 +343,7 @@ uint32_t SeparateStoredOtherwise(Comparison& comparison) {
   for (const PairResult& result : comparison.results) {
     const bool is_retentive = machine::IsRetentive(comparison.old_version, result.old_cell) ||
                               machine::IsRetentive(comparison.new_version, result.new_cell);
-    const bool changes = comparison.old_uses.writes[result.old_cell.index] ||
-                         comparison.new_uses.writes[result.new_cell.index] || comparison.IsInput(result.old_cell);
+    const bool changes = comparison.IsWritten(result) || comparison.IsInput(result.old_cell);
     if (!is_retentive || !changes || !comparison.pairing.IsEqual(result.old_cell)) continue;
     comparison.pairing.Separate(result.old_cell);
     ++separated;

@@ -233,6 +233,7 @@ void Matcher::HostFunctions() {
     }
   }
   Pair(old_.cells.OfOrder(), new_.cells.OfOrder());
+  Pair(old_.cells.OfActions(), new_.cells.OfActions());
 }
 
 std::vector<bool> CellsThatStartOtherwise(const machine::Version& old_version, const machine::Version& new_version,

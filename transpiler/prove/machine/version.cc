@@ -61,9 +61,8 @@ Uses UsesOf(const Version& version) {
       ir::ForEachAccess(program, inst, on_place, on_instance);
       if (ir::Info(inst.op).shape == ir::Shape::kHostCall) {
         const ir::HostFunctionId host = program.calls[ir::CallId(inst.payload)].host;
-        uses.writes[version.cells.OfCalls(host).index] = uses.sets[version.cells.OfCalls(host).index] = true;
-        if (version.cells.is_ordered[host.index])
-          uses.writes[version.cells.OfOrder().index] = uses.sets[version.cells.OfOrder().index] = true;
+        for (const execute::CellId chain : version.cells.ChainsOf(host))
+          uses.writes[chain.index] = uses.sets[chain.index] = true;
       }
     }
   }

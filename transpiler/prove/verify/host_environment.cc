@@ -144,13 +144,12 @@ terms::TermId HostEnvironment::CallHost(CodeMemory& memory, const HostRequest& r
   if (id == program.schedule.now) return now_;
 
   const uint32_t counter = image_.size() + id.index;
-  const terms::TermId calls = execute::CallsAfter(terms_, host.name, memory.Read(counter), values);
-  memory.Write(counter, calls);
-  terms::TermId told = calls;
-  if (cells_.is_ordered[id.index]) {
-    const uint32_t order = image_.size() + cells_.OfOrder().index - cells_.calls;
-    told = execute::CallsAfter(terms_, host.name, memory.Read(order), values);
-    memory.Write(order, told);
+  terms::TermId calls, told;
+  for (const execute::CellId chain : cells_.ChainsOf(id)) {
+    const uint32_t at = image_.size() + chain.index - cells_.calls;
+    told = execute::CallsAfter(terms_, host.name, memory.Read(at), values);
+    if (!calls.valid()) calls = told;
+    memory.Write(at, told);
   }
   if (out != nullptr) {
     const uint8_t out_width = meaning::WidthOf(host.out.type);

@@ -144,6 +144,20 @@ void UnitVerifier::MakeArguments() {
   if (passes_state) arguments_.push_back({.kind = CodeArgument::Kind::kHost, .name = "host", .value = {}});
 }
 
+/// Callers of a unit that is proved believe its footprint: what is missing there would be lost in them.
+void UnitVerifier::CheckFootprint(const execute::Memory& memory) const {
+  const std::vector<bool>& known = unit_.footprint.written;
+  for (uint32_t i = 0; i < program_.cells.count; ++i) {
+    if (!memory.IsWritten(execute::CellId(i)) || known[i]) continue;
+    const execute::Cell cell = execute::CellAt(program_.ir, program_.cells, execute::CellId(i));
+    PLCXX_CHECK(cell.kind == execute::CellKind::kBit);
+    // Calls that are replaced give whole bytes.
+    const auto byte = known.begin() + program_.cells.OfBit(cell.space, cell.offset, 0).index;
+    PLCXX_CHECK(std::find(byte, byte + 8, true) != byte + 8 ||
+                program_.ir.spaces[cell.space].lifetime == ir::Lifetime::kRoutine);
+  }
+}
+
 std::string UnitVerifier::ExecuteProgram(execute::Memory& memory) {
   if (!is_inner()) return execute::Execute(memory, unit_.part.routine, values_);
   for (size_t i = 0; i < values_.size(); ++i) memory.WritePlace(program_.ir.places[unit_.values[i]], values_[i]);
@@ -239,9 +253,9 @@ void UnitVerifier::Ask(execute::Memory& memory, const CodeOutcome& outcome) {
                   {memory.Read(program_.cells.OfCalls(host)), outcome.slots[image_.size() + i]});
     ++proof_.host_functions;
   }
-  const execute::CellId order = program_.cells.OfOrder();
-  AskAboutCalls("order of calls", given,
-                {memory.Read(order), outcome.slots[image_.size() + order.index - program_.cells.calls]});
+  for (const execute::CellId chain : {program_.cells.OfOrder(), program_.cells.OfActions()})
+    AskAboutCalls("order of calls", given,
+                  {memory.Read(chain), outcome.slots[image_.size() + chain.index - program_.cells.calls]});
   for (size_t i = 0; i < references_.size(); ++i) {
     const ir::PlaceId id = unit_.references[i];
     const terms::TermId value = memory.ReadPlace(program_.ir.places[id]);
@@ -521,6 +535,7 @@ RoutineProof UnitVerifier::Run() {
   has_loops_ = policy_.has_heads || !terms_.IsFalse(policy_.left_out);
   gave_up_ = !proof_.reason.empty();
   if (gave_up_) return std::move(proof_);
+  CheckFootprint(memory);
   const CodeOutcome outcome = ExecuteCode(*loaded.solver);
   has_loops_ = has_loops_ || (relation_ != nullptr && relation_->has_code()) ||
                (outcome.left_out.valid() && !terms_.IsFalse(outcome.left_out));

@@ -86,6 +86,7 @@ class UnitVerifier {
   void NoteFault(terms::TermId when, terms::TermId code);
   void AskAboutFaults(const CodeOutcome& outcome, terms::TermId given);
   void MakeArguments();
+  void CheckFootprint(const execute::Memory& memory) const;
   std::string ExecuteProgram(execute::Memory& memory);
   CodeOutcome ExecuteCode(solver::Solver& solver);
   void AskAboutCalls(const std::string& what, terms::TermId given, const solver::TermPair& calls);

@@ -100,7 +100,7 @@ void NameChangedStatements(const DiffSide& old_side, const DiffSide& new_side, D
 std::vector<NamedItem> ItemsByWeight(const prove::diff::CompareResult& result, const Named& old_named,
                                      const Named& new_named) {
   std::vector<NamedItem> items = MakeItems(result, old_named, new_named);
-  DropOrderOfCalls(items, old_named.version.cells.OfOrder());
+  DropOrderOfCalls(items, old_named.version.cells);
   AddCauses(items, old_named, new_named);
   std::ranges::stable_sort(
       items, {}, [](const NamedItem& named) { return std::pair(named.item.kind, !named.item.changed_itself); });

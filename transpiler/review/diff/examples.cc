@@ -54,6 +54,7 @@ bool IsComparable(const NamedItem& named) {
 }
 
 bool IsShown(const NamedItem& named) {
+  if (named.item.declared) return false;
   return (named.item.verdict == ItemVerdict::kDifferent || named.worst->run.has_value()) && IsComparable(named);
 }
 
@@ -113,7 +114,8 @@ void AddExamples(DiffSide& old_side, DiffSide& new_side, const Named& old_named,
       example = FindAmongShown(old_side, new_side, request, options, budget);
     }
     const auto is_run = [&runs](CellId cell) { return runs.difference_of.contains(cell); };
-    if (IsComparable(named)) KeepWhatWasReplayed(named.item, std::ranges::any_of(named.old_cells, is_run));
+    if (IsComparable(named) && !named.item.declared)
+      KeepWhatWasReplayed(named.item, std::ranges::any_of(named.old_cells, is_run));
   }
 }
 

@@ -82,8 +82,7 @@ class AccessWalk {
     ir::ForEachAccess(program_, inst, on_place, on_instance);
     if (ir::Info(inst.op).shape != ir::Shape::kHostCall) return;
     const ir::HostFunctionId host = program_.calls[ir::CallId(inst.payload)].host;
-    add({version_.cells.OfCalls(host)}, true);
-    if (version_.cells.is_ordered[host.index]) add({version_.cells.OfOrder()}, true);
+    for (const CellId chain : version_.cells.ChainsOf(host)) add({chain}, true);
   }
 
   const Version& version_;

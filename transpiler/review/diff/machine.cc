@@ -169,16 +169,14 @@ void DiffMachine::Look() {
   LookAtMemory();
   events_ = simulator_.TakeEvents();
   for (const sim::HostEvent& event : events_) {
-    uint64_t& own = calls_[event.function.index];
-    for (const uint64_t argument : event.arguments) own = support::Mixed(own, argument);
-    ++own;
-    if (!version_.cells.is_ordered[event.function.index]) continue;
-    // By its name: two versions number their functions differently.
-    uint64_t& all = calls_.back();
-    for (const char c : program_.host_functions[event.function].name)
-      all = support::Mixed(all, static_cast<unsigned char>(c));
-    for (const uint64_t argument : event.arguments) all = support::Mixed(all, argument);
-    ++all;
+    for (const execute::CellId chain : version_.cells.ChainsOf(event.function)) {
+      uint64_t& calls = calls_[chain.index - version_.cells.calls];
+      // By its name: two versions number their functions differently.
+      for (const char c : program_.host_functions[event.function].name)
+        calls = support::Mixed(calls, static_cast<unsigned char>(c));
+      for (const uint64_t argument : event.arguments) calls = support::Mixed(calls, argument);
+      ++calls;
+    }
   }
 }
 

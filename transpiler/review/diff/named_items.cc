@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/prove/diff/power_on_calls.h"
+
 namespace plcxx::review::diff {
 namespace {
 
@@ -37,6 +39,18 @@ bool IsWorse(ItemVerdict one, ItemVerdict other) {
   return rank(one) > rank(other);
 }
 
+/// Of calls that one version alone makes, for certain; none: a run has to show it.
+std::optional<Declared> CallsOfOneVersion(const PairResult& pair, const Named& old_side, const Named& new_side) {
+  const std::string with = "asked of the control", without = "not asked of the control";
+  const Declared by_old{with, without}, by_new{without, with};
+  if (!pair.new_cell.valid()) return by_old;
+  if (!pair.old_cell.valid()) return by_new;
+  const std::optional<prove::diff::Which> caller =
+      prove::diff::OnlyCaller(old_side.version, pair.old_cell, new_side.version, pair.new_cell);
+  if (caller) return *caller == prove::diff::Which::kOld ? by_old : by_new;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<NamedItem> MakeItems(const prove::diff::CompareResult& result, const Named& old_side,
@@ -62,11 +76,7 @@ std::vector<NamedItem> MakeItems(const prove::diff::CompareResult& result, const
       std::ranges::replace(items.back().item.meaning, '\n', ' ');  // comments of several lines
     }
     NamedItem& named = items[at->second];
-    // No run has to show it: the other version has no such function.
-    if (kind == ItemKind::kCalls && pair.old_cell.valid() != pair.new_cell.valid()) {
-      const std::string without = "not asked of the control", with = "asked of the control";
-      named.item.declared = pair.old_cell.valid() ? Declared{with, without} : Declared{without, with};
-    }
+    if (kind == ItemKind::kCalls) named.item.declared = CallsOfOneVersion(pair, old_side, new_side);
     if (pair.old_cell.valid()) named.old_cells.push_back(pair.old_cell);
     if (pair.new_cell.valid()) named.new_cells.push_back(pair.new_cell);
     named.item.changed_itself = named.item.changed_itself || pair.changed_itself;
@@ -79,10 +89,12 @@ std::vector<NamedItem> MakeItems(const prove::diff::CompareResult& result, const
   return items;
 }
 
-void DropOrderOfCalls(std::vector<NamedItem>& items, CellId order) {
-  const auto is_order = [order](const NamedItem& named) {
-    return std::ranges::find(named.old_cells, order) != named.old_cells.end();
+void DropOrderOfCalls(std::vector<NamedItem>& items, const execute::Cells& cells) {
+  const auto is_of = [](const NamedItem& named, CellId cell) {
+    return std::ranges::find(named.old_cells, cell) != named.old_cells.end();
   };
+  const auto is_order = [&](const NamedItem& named) { return is_of(named, cells.OfOrder()); };
+  std::erase_if(items, [&](const NamedItem& named) { return is_of(named, cells.OfActions()); });
   const bool is_explained = std::ranges::any_of(items, [&](const NamedItem& named) {
     const DiffItem& item = named.item;
     return item.kind == ItemKind::kCalls && item.verdict == ItemVerdict::kDifferent && !is_order(named);

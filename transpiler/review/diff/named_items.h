@@ -43,7 +43,8 @@ struct NamedItem {
 std::vector<NamedItem> MakeItems(const prove::diff::CompareResult& result, const Named& old_side,
                                  const Named& new_side);
 
-/// The order of calls is news where no function by itself is called otherwise. `order`: its cell in the old version.
-void DropOrderOfCalls(std::vector<NamedItem>& items, execute::CellId order);
+/// The order of calls is news where no function by itself is called otherwise; that of the calls which answers depend
+/// on is no news of its own, for it is part of the other one. `cells`: of the old version.
+void DropOrderOfCalls(std::vector<NamedItem>& items, const execute::Cells& cells);
 
 }  // namespace plcxx::review::diff

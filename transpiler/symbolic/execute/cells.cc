@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "transpiler/ir/host_functions.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 
 namespace plcxx::execute {
@@ -19,7 +20,24 @@ std::vector<uint32_t> ReachedBytes(const ir::Program& program) {
   return reached;
 }
 
+HostRole RoleOf(const ir::HostFunction& host) {
+  if (host.routine_exchange) return HostRole::kExchange;
+  return ir::ReportsFault(host) ? HostRole::kReport : HostRole::kAction;
+}
+
 }  // namespace
+
+std::vector<CellId> Cells::ChainsOf(ir::HostFunctionId host) const {
+  switch (roles[host.index]) {
+    case HostRole::kExchange:
+      return {OfCalls(host)};
+    case HostRole::kReport:
+      return {OfCalls(host), OfOrder()};
+    case HostRole::kAction:
+      return {OfCalls(host), OfOrder(), OfActions()};
+  }
+  PLCXX_UNREACHABLE();
+}
 
 Cells MakeCells(const ir::Program& program) {
   Cells cells;
@@ -35,10 +53,10 @@ Cells MakeCells(const ir::Program& program) {
     cells.count += meaning::FieldTerms(state.kind);
   }
   cells.calls = cells.count;
-  cells.count += program.host_functions.size() + 1;
-  for (const ir::HostFunction& host : program.host_functions) cells.is_ordered.push_back(!host.routine_exchange);
+  cells.count += program.host_functions.size() + Cells::kChains;
+  for (const ir::HostFunction& host : program.host_functions) cells.roles.push_back(RoleOf(host));
   for (const ir::Call& call : program.calls) {
-    if (call.exchange && call.host.valid()) cells.is_ordered[call.host.index] = false;
+    if (call.exchange && call.host.valid()) cells.roles[call.host.index] = HostRole::kExchange;
   }
   return cells;
 }
@@ -46,9 +64,9 @@ Cells MakeCells(const ir::Program& program) {
 Cell CellAt(const ir::Program& program, const Cells& cells, CellId id) {
   PLCXX_CHECK(id.index < cells.count);
   if (id.index >= cells.calls) {
-    const bool is_order = id == cells.OfOrder();
-    return {.kind = CellKind::kCalls,
-            .host = is_order ? ir::HostFunctionId() : ir::HostFunctionId(id.index - cells.calls)};
+    if (id == cells.OfOrder()) return {.kind = CellKind::kCalls, .chain = CallChain::kEvents};
+    if (id == cells.OfActions()) return {.kind = CellKind::kCalls, .chain = CallChain::kActions};
+    return {.kind = CellKind::kCalls, .host = ir::HostFunctionId(id.index - cells.calls)};
   }
   // The last owner that begins at or before the cell; owners without cells share their begin with the next one.
   const auto owner_of = [id](const std::vector<uint32_t>& begins) {
@@ -96,7 +114,8 @@ std::string CellName(const ir::Program& program, const Cell& cell) {
       return name;
     }
     case CellKind::kCalls:
-      return cell.host.valid() ? "calls of " + program.host_functions[cell.host].name : "order of calls";
+      if (cell.host.valid()) return "calls of " + program.host_functions[cell.host].name;
+      return cell.chain == CallChain::kEvents ? "order of calls" : "order of calls but faults";
   }
   PLCXX_UNREACHABLE();
 }

@@ -2,8 +2,8 @@
 //
 // Memory is one cell of width 1 for each bit, so that bits, bytes and words of any byte order share it; a field of an
 // instance is one cell of its own width (arrays: one for each element); of each host function the calls so far are one
-// cell of 64 bits, see execute.h; and so are the calls of all together, in their order. Cells are numbered in this
-// order. In: a program. Not its job: values.
+// cell of 64 bits, see execute.h; and so are the calls of all together, in their order, and those of them that the
+// host's answers depend on. Cells are numbered in this order. In: a program. Not its job: values.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +19,19 @@ using CellId = support::Id<struct CellTag>;
 
 enum class CellKind : uint8_t { kBit, kField, kCalls };
 
+/// What the host may make of a call beside answering it.
+enum class HostRole : uint8_t {
+  kExchange,  // part of the regular exchange: neither an event, nor does another function's answer depend on it
+  kReport,    // a run-time fault: an event, but what the host answers later does not depend on it
+  kAction,  // an event that may change all later answers: what is written through one function is read through another
+};
+
+/// Of calls of several functions together.
+enum class CallChain : uint8_t {
+  kEvents,   // all but the regular exchange
+  kActions,  // that the answers of each of them depend on
+};
+
 struct Cell {
   CellKind kind{};
   ir::SpaceId space;        // of kBit
@@ -27,26 +40,32 @@ struct Cell {
   ir::StateId state;        // of kField
   uint8_t field = 0;        // index of ir::Info(kind).fields
   uint8_t element = 0;      // of an array
-  ir::HostFunctionId host;  // of kCalls; none: of all that are ordered
+  ir::HostFunctionId host;  // of kCalls; none: of those of a chain
+  CallChain chain{};        // of kCalls without a host function
 };
 
 struct Cells {
+  static constexpr uint32_t kChains = 2;
+
   std::vector<uint32_t> spaces;  // by SpaceId: cell of bit 0 of byte 0
   /// By SpaceId: bytes that have cells; of locals only those that the program names, a front end may reserve far more.
   std::vector<uint32_t> bytes;
   std::vector<uint32_t> states;  // by StateId: first cell
   uint32_t calls = 0;            // cell of host function 0
   uint32_t count = 0;
-  /// By HostFunctionId: it is no part of the regular exchange, so that its calls are events, in one order with those of
-  /// the others.
-  std::vector<bool> is_ordered;
+  std::vector<HostRole> roles;  // by HostFunctionId
 
   CellId OfBit(ir::SpaceId space, uint32_t offset, uint8_t bit) const {
     return CellId(spaces[space.index] + 8 * offset + bit);
   }
   CellId OfCalls(ir::HostFunctionId host) const { return CellId(calls + host.index); }
-  /// The calls of all functions that are ordered.
-  CellId OfOrder() const { return CellId(count - 1); }
+  /// The calls of all functions but those of the regular exchange, in their order.
+  CellId OfOrder() const { return CellId(count - kChains); }
+  /// Of these, what the host's answers depend on.
+  CellId OfActions() const { return CellId(count - 1); }
+  /// What a call of the function goes on: its own calls, and those of the chains that it is in. What it answers, and
+  /// what the host writes at it, depends on the last one.
+  std::vector<CellId> ChainsOf(ir::HostFunctionId host) const;
   /// Cells of calls.
   uint32_t CallCells() const { return count - calls; }
 };

@@ -227,15 +227,11 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   for (const ir::ValueId argument : call.arguments) arguments.push_back(ValueOf(argument.index));
   const auto& tell = memory_.environment().tell;
   if (tell && tell(id, arguments, Absolute())) return;
-  const terms::TermId calls =
-      CallsAfter(terms_, host.name, memory_.Read(memory_.cells().OfCalls(call.host)), arguments);
-  WriteCell(memory_.cells().OfCalls(call.host), calls);
-  // What is written through one function may be read through another one.
-  terms::TermId told = calls;
-  if (memory_.cells().is_ordered[call.host.index]) {
-    const CellId order = memory_.cells().OfOrder();
-    told = CallsAfter(terms_, host.name, memory_.Read(order), arguments);
-    WriteCell(order, told);
+  terms::TermId calls, told;
+  for (const CellId chain : memory_.cells().ChainsOf(call.host)) {
+    told = CallsAfter(terms_, host.name, memory_.Read(chain), arguments);
+    if (!calls.valid()) calls = told;
+    WriteCell(chain, told);
   }
   const bool answers = memory_.environment().host_answers;
   if (host.result != ir::Type::kNone) {

@@ -4,9 +4,9 @@
 // that of sim/simulator.h, written down a second time and without runtime_support. Branches are joined with Ite, an
 // exit makes what follows conditional, loops are unrolled as far as their conditions are not known to be false.
 // Host calls: what a function has been told is one term, calls' = told(calls, arguments), and so is what all were told,
-// but for the regular exchange. What a function answers depends on the latter term alone, of the exchange on the
-// former: two programs that call the host alike, in the same order, get the same answers. Not its job: whether states
-// are reachable (prove/diff, prove/properties).
+// but for the regular exchange. What a function answers depends on what all were told but for faults, of the exchange
+// on its own calls: two programs that call the host alike, in the same order, get the same answers. Not its job:
+// whether states are reachable (prove/diff, prove/properties).
 #pragma once
 
 #include <cstdint>

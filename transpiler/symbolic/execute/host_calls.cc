@@ -82,6 +82,7 @@ uint8_t BitsHostWrites(const ir::Program& program, ir::HostAccess access, ir::Sp
 }
 
 uint8_t BitsMayWrite(const ir::Program& program, const ir::HostFunction& host, ir::SpaceId id, uint32_t offset) {
+  if (host.only_space.valid() && host.only_space != id) return 0;
   const uint8_t written = BitsHostWrites(program, host.access, id, offset);
   if (written == 0 || host.routine_exchange || host.access != ir::HostAccess::kWritesState) return written;
   return static_cast<uint8_t>(written & ~ir::BitsOf(program.spaces[id], offset, ir::Direction::kInput));

@@ -16,7 +16,8 @@ ControlWrite WhatControlWrites(const ir::Space& space, uint32_t offset, uint8_t 
 /// The bits of a byte that a host function of this access writes, by the table at HostSees.
 uint8_t BitsHostWrites(const ir::Program& program, ir::HostAccess access, ir::SpaceId space, uint32_t offset);
 /// As BitsHostWrites; but inputs of the machine come with the regular exchange alone: a function that the program calls
-/// for something else writes what the control and the program share.
+/// for something else writes what the control and the program share. And nothing outside of the space that is declared
+/// as the only one.
 uint8_t BitsMayWrite(const ir::Program& program, const ir::HostFunction& host, ir::SpaceId space, uint32_t offset);
 
 }  // namespace plcxx::execute

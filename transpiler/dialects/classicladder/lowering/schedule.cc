@@ -1,6 +1,7 @@
 // What is around the program's rungs: routines, init, the period, host calls.
 
 #include "transpiler/dialects/classicladder/lowering/internal.h"
+#include "transpiler/ir/host_functions.h"
 
 namespace plcxx::classicladder {
 namespace {
@@ -18,7 +19,7 @@ const std::vector<dialects::HostRow<HostCall>>& HostRows() {
        .routine_exchange = true,
        .comment = "At the end of each period: deliver %Q, %QW and %QF."},
       {.call = HostCall::kFault,
-       .name = "fault",
+       .name = ir::kFaultFunction,
        .comment = "JUMP_LOOP: a section has jumped 99999 times, and the program stands still from the next period on. "
                   "INDEX: an indexed variable leads out of its memory. DIVISION: by 0. The last two end the process of "
                   "LinuxCNC's engine, or spoil its memory; here what is read is 0, and nothing is written.",

@@ -4,6 +4,7 @@
 
 #include "transpiler/dialects/hnc/lowering/host_calls.h"
 #include "transpiler/dialects/hnc/lowering/memory.h"
+#include "transpiler/ir/host_functions.h"
 
 namespace plcxx::hnc {
 
@@ -40,8 +41,8 @@ void Faults::AddRoutine() {
   ir::Parameter number{.name = "statement", .type = ir::Type::kI32, .enumerators = {}};
   number.is_statement = true;
   const ir::HostFunctionId host = host_calls_.Function(
-      "fault", {{.name = "code", .type = ir::Type::kI8, .enumerators = {}}, number}, ir::Type::kNone,
-      "A run-time fault: 1 division, 2 index, 3 loop, in the statement of the map with this number.");
+      std::string(ir::kFaultFunction), {{.name = "code", .type = ir::Type::kI8, .enumerators = {}}, number},
+      ir::Type::kNone, "A run-time fault: 1 division, 2 index, 3 loop, in the statement of the map with this number.");
   builder_.CallHost(host, {builder_.Load(code), builder_.Load(statement)});
 }
 

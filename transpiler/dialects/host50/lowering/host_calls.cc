@@ -1,5 +1,7 @@
 #include "transpiler/dialects/host50/lowering/host_calls.h"
 
+#include "transpiler/ir/host_functions.h"
+
 namespace plcxx::host50 {
 
 const std::vector<dialects::HostRow<HostCall>>& HostRows() {
@@ -39,7 +41,7 @@ const std::vector<dialects::HostRow<HostCall>>& HostRows() {
                       {.name = "position", .type = ir::Type::kF32, .enumerators = {}},
                       {.name = "speed", .type = ir::Type::kF32, .enumerators = {}}}},
       {.call = HostCall::kFault,
-       .name = "fault",
+       .name = ir::kFaultFunction,
        .comment =
            "A diagnostic that does not stop the program. Section: -2 FAST, -1 SLOW, else the number of the subroutine.",
        .parameters = {{.name = "code", .type = ir::Type::kI8, .enumerators = {"JUMP_LOOP", "ROT_RANGE", "AXIS_RANGE"}},

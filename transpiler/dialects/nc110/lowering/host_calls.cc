@@ -1,5 +1,7 @@
 #include "transpiler/dialects/nc110/lowering/host_calls.h"
 
+#include "transpiler/ir/host_functions.h"
+
 namespace plcxx::nc110 {
 
 const std::vector<dialects::HostRow<HostCall>>& HostRows() {
@@ -33,7 +35,7 @@ const std::vector<dialects::HostRow<HostCall>>& HostRows() {
        .access = ir::HostAccess::kReadsRetentive,
        .comment = "Store package T: U10K0 (machine off, retention enabled) or U10N4 (request of the program) rose."},
       {.call = HostCall::kFault,
-       .name = "fault",
+       .name = ir::kFaultFunction,
        .comment = "A diagnostic that never stops the logic. Index: the counter's number (PARAM_RANGE), otherwise the "
                   "statement's id as the map lists it.",
        .parameters = {{.name = "kind",

@@ -1,5 +1,7 @@
 #include "transpiler/dialects/prostep/lowering/host_calls.h"
 
+#include "transpiler/ir/host_functions.h"
+
 namespace plcxx::prostep {
 
 using ir::Type;
@@ -53,7 +55,7 @@ const std::vector<dialects::HostRow<HostCall>>& HostRows() {
        .comment =
            "At power-on: fill the retentive block with the copy saved at power-off; leave it alone if there is none."},
       {.call = HostCall::kFault,
-       .name = "fault",
+       .name = ir::kFaultFunction,
        .comment = "A fault in module PM pm. It never stops the PLC.",
        .parameters = {{"code", Type::kI8, {"div_zero", "div_overflow", "index", "nc_access", "loop_budget"}},
                       {"pm", Type::kI32, {}}}},

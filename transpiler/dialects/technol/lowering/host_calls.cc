@@ -1,5 +1,7 @@
 #include "transpiler/dialects/technol/lowering/host_calls.h"
 
+#include "transpiler/ir/host_functions.h"
+
 namespace plcxx::technol {
 
 using ir::HostAccess;
@@ -105,7 +107,7 @@ Rows NoticeRows() {
        .comment = "An ESET has been executed.",
        .parameters = {{"main", Type::kI8, {}}, {"sub", Type::kI8, {}}}},
       {.call = HostCall::kFault,
-       .name = "fault",
+       .name = ir::kFaultFunction,
        .comment = "A fault in a statement (the map file tells its line). Execution goes on.",
        .parameters = {{"kind", Type::kI8, {"BOUNDS", "LOOP", "DIVIDE", "BCD_RANGE", "BCD_DIGIT"}},
                       {.name = "statement", .type = Type::kI32, .enumerators = {}, .is_statement = true}}},

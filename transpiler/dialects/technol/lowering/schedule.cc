@@ -45,7 +45,10 @@ void Schedule::LowerPowerOn() {
   program_.routines[init_].prologue = prologue;
   builder_.SetRegion(prologue);
   host_(HostCall::kRestore);
-  if (IsUsed(Area::kBukon)) host_(HostCall::kMachineConstants);
+  if (!IsUsed(Area::kBukon)) return;
+  const ir::HostFunctionId constants = host_[HostCall::kMachineConstants];
+  program_.host_functions[constants].only_space = memory_[Area::kBukon];
+  host_(HostCall::kMachineConstants);
 }
 
 /// A module of functions runs while its bit is 1; else it begins anew the next time (7.4).
