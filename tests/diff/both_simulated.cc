@@ -40,12 +40,16 @@ class Machine {
   Machine(const DiffSide& side, Answers answers, uint64_t seed)
       : program_(side.compilation.program),
         roles_(execute::MakeCells(program_).roles),
+        answers_alone_(roles_.size()),
         simulator_(program_),
         control_(program_, *side.compilation.dialect, simulator_,
                  answers == Answers::kOfControl
                      ? side.compilation.dialect->make_stub(program_, side.compilation.options)
                      : std::unique_ptr<dialects::ControlStub>()),
         clock_(program_, {&simulator_}) {
+    for (const ir::Call& call : program_.calls) {
+      if (call.exchange && call.host.valid()) answers_alone_[call.host.index] = true;
+    }
     for (const ir::HostFunction& function : program_.host_functions) {
       Asked& asked = functions_.emplace_back();
       for (const char c : function.name) asked.name = Mixed(asked.name, static_cast<unsigned char>(c));
@@ -121,7 +125,8 @@ class Machine {
     const ir::HostFunction& function = program_.host_functions[id];
     Asked& own = functions_[id.index];
     for (const uint32_t i : own.sees) own.seen[i] = Mixed(own.seen[i], simulator_.Read(watched_[i]) + 1);
-    uint64_t& asked = roles_[id.index] == HostRole::kAction ? asked_in_order_ : own.asked;
+    const bool is_in_order = roles_[id.index] == HostRole::kAction && !answers_alone_[id.index];
+    uint64_t& asked = is_in_order ? asked_in_order_ : own.asked;
     asked = Mixed(asked, seed);
     for (const uint64_t argument : arguments) asked = Mixed(asked, argument);
     asked = Mixed(asked, own.name);
@@ -139,6 +144,7 @@ class Machine {
 
   const ir::Program& program_;
   std::vector<HostRole> roles_;
+  std::vector<bool> answers_alone_;  // by HostFunctionId: called by the regular exchange, too
   sim::Simulator simulator_;
   scenarios::ScenarioControl control_;
   sim::Clock clock_;

@@ -85,6 +85,16 @@ OUT0: DFM CHOD
   }
 }
 
+TEST(DiffReplay, WordsBelowZeroHaveTheirSign) {
+  const std::string program = "SLOW\nNETWORK L0000\nLD %I0\nMOV @, %W10\nEND_SLOW\n";
+  const Diff diff = ComparedTexts(kHost50, With(program, "-5"), With(program, "-6"));
+  const DiffItem* const item = Shown(diff, "W10");
+  ASSERT_NE(item, nullptr);
+  EXPECT_EQ(item->counterexample->old_value, "-5");
+  EXPECT_EQ(item->counterexample->new_value, "-6");
+  EXPECT_THAT(item->counterexample->scenario, HasSubstr("expect: {W10: -5}"));
+}
+
 TEST(DiffReplay, TheGeneratedCodeOfBothVersionsShowsIt) {
   const Diff diff = ComparedTexts(kNc110, "$\nU4A8=I0A3\n", "$\nU4A8=I0A4\n", {.compiler = engines::FindCompiler()});
   const DiffItem* const item = Shown(diff, "U4A8");

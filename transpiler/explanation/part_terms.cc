@@ -272,7 +272,7 @@ void PartTerms::ReplayCalls() {
       return terms::MadeUpValue(function, arguments);
     };
     uint64_t key = 0;
-    for (const execute::CellId chain : cells_.ChainsOf(call.function)) {
+    for (const execute::CellId chain : cells_.ChainsOf(call.function, false)) {
       uint64_t& calls = told[chain.index - cells_.calls];
       key = calls = after(calls);
     }

@@ -8,6 +8,7 @@
 
 #include "transpiler/ir/bit_logic.h"
 #include "transpiler/ir/builder.h"
+#include "transpiler/ir/host_functions.h"
 #include "transpiler/ir/name_index.h"
 #include "transpiler/ir/place_names.h"
 #include "transpiler/ir/uses.h"
@@ -16,9 +17,6 @@ namespace plcxx::mutate {
 namespace {
 
 constexpr size_t kMostQuoted = 40;  // bytes of the source that are shown for a value
-
-/// As every language names the function by which a program reports a fault.
-constexpr std::string_view kFault = "fault";
 
 bool IsInteger(ir::Type type) {
   return type == ir::Type::kI8 || type == ir::Type::kI16 || type == ir::Type::kI32 || type == ir::Type::kI64;
@@ -111,7 +109,7 @@ class Finder {
     const ir::Shape shape = ir::Info(user.op).shape;
     if (shape != ir::Shape::kCall && shape != ir::Shape::kHostCall) return false;
     const ir::Call& call = program_.calls[ir::CallId(user.payload)];
-    if (call.host.valid() && program_.host_functions[call.host].name == kFault) return true;
+    if (call.host.valid() && ir::ReportsFault(program_.host_functions[call.host])) return true;
     return constant.type == ir::Type::kI32 &&
            statement_numbers_.contains(static_cast<uint32_t>(ir::ConstantValue(constant)));
   }

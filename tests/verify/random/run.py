@@ -21,6 +21,8 @@ NUMBER = re.compile(r"(?<![\w.])(0x[0-9A-F]+|\d+)(?=u?\b)")
 OPERATORS = {" < ": [" <= ", " > "], " <= ": [" < "], " > ": [" >= ", " < "], " >= ": [" > "], " == ": [" != "],
              " != ": [" == "], " & ": [" | "], " | ": [" & "], "Add": ["Sub"], "Sub": ["Add"], "break;": [";"],
              "!m[": ["m["], "return;": [";"]}
+# What is left out, or does its work later: assignments and calls.
+STATEMENT = re.compile(r"^\s+(m\[|result =|\+\+|continue;|step =|(\w+ = )?\w+\(.*\bhost\b).*;$")
 LAUNCHER = """#!/usr/bin/env python3
 import os, pathlib, subprocess, sys
 arguments = sys.argv[1:]
@@ -65,6 +67,10 @@ int main() {{
   changed::Host other;
   original::init(a, one);
   changed::init(b, other);
+  if (one.log.told != other.log.told || std::memcmp(&a, &b, sizeof a) != 0) {{
+    std::puts("init");
+    return 1;
+  }}
   const auto value = [&random] {{
     const unsigned long long r = random();
     switch (r & 7) {{
@@ -113,6 +119,17 @@ def body_lines(text):
             yield number, line
 
 
+def next_statement(lines, number):
+    """The line of the next statement of the same block, behind empty lines and comments; None: the block ends."""
+    indent = re.match(r"\s*", lines[number]).group()
+    for following in range(number + 1, len(lines)):
+        line = lines[following]
+        if not line.strip() or line.strip().startswith("//"):
+            continue
+        return following if STATEMENT.match(line) and re.match(r"\s*", line).group() == indent else None
+    return None
+
+
 def change(text, rng):
     """The text with one place changed, and which."""
     lines = text.splitlines()
@@ -123,11 +140,19 @@ def change(text, rng):
         for operator in OPERATORS:
             for match in re.finditer(re.escape(operator), line):
                 places.append((number, match.start(), match.end(), operator))
-        if re.match(r"^\s+(m\[|result =|\+\+|continue;|step =).*;$", line):
+        if STATEMENT.match(line):
             places.append((number, 0, len(line), "line"))
+            following = next_statement(lines, number)
+            if following is not None:
+                places.append((number, 0, following, "order"))
     while True:
         number, begin, end, kind = rng.choice(places)
         line = lines[number]
+        if kind == "order":
+            if lines[end] == line:
+                continue
+            lines[number], lines[end] = lines[end], line
+            return "\n".join(lines) + "\n", f"line {number + 1}: {line.strip()}  after  {lines[number].strip()}"
         old = line[begin:end]
         if kind == "line":
             new = ""

@@ -216,7 +216,9 @@ void ProveWithRenamed(Comparison& comparison) {
 void LeaveOutInputs(Comparison& comparison) {
   for (PairResult& result : comparison.results) {
     const bool written = comparison.IsWritten(result);
-    if (result.verdict == PairVerdict::kUndecided && !written && comparison.IsInput(result.old_cell))
+    const bool begins_alike =
+        PowerOnValue(comparison.old_version, result.old_cell) == PowerOnValue(comparison.new_version, result.new_cell);
+    if (result.verdict == PairVerdict::kUndecided && !written && begins_alike && comparison.IsInput(result.old_cell))
       result.verdict = PairVerdict::kUntouched;
   }
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "transpiler/prove/machine/inputs.h"
+#include "transpiler/prove/machine/sets.h"
 
 namespace plcxx::prove::diff {
 
@@ -51,6 +52,14 @@ bool Comparison::IsInput(execute::CellId old_cell) const {
   if (machine::IsInbox(old_version, old_cell) || (new_cell.valid() && machine::IsInbox(new_version, new_cell)))
     return true;
   return IsInputPair(old_version, new_version, old_uses, new_uses, match, old_cell);
+}
+
+bool Comparison::IsInput(Which which, execute::CellId cell) const {
+  const execute::CellId old_cell = which == Which::kOld ? cell : match.old_of_new[cell.index];
+  if (old_cell.valid()) return IsInput(old_cell);
+  return machine::IsInbox(new_version, cell) ||
+         machine::WhatControlWrites(new_version, cell) == execute::ControlWrite::kValues ||
+         (machine::MayBeSetByHost(new_version, cell) && !new_uses.sets[cell.index]);
 }
 
 terms::TermId Comparison::NextOld(execute::CellId cell) {

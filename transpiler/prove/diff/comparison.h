@@ -81,6 +81,8 @@ struct Comparison {
   const PairResult* ResultOf(execute::CellId old_cell) const;
   /// See IsInputPair; and what the operator sends.
   bool IsInput(execute::CellId old_cell) const;
+  /// The same of a cell of either version; of one that the new version alone has, whether others may set it there.
+  bool IsInput(Which which, execute::CellId cell) const;
   /// By either version.
   bool IsWritten(const PairResult& result) const {
     return old_uses.writes[result.old_cell.index] || new_uses.writes[result.new_cell.index];

@@ -30,7 +30,9 @@ class ConstantCells {
     const std::vector<bool> requests = machine::RequestCells(version_);
     for (uint32_t i = 0; i < version_.cells.calls; ++i) {
       const execute::CellId cell(i);
-      if (!machine::IsState(version_, cell) || machine::IsRetentive(version_, cell) || IsInput(cell)) continue;
+      if (!machine::IsState(version_, cell) || machine::IsRetentive(version_, cell) ||
+          comparison_.IsInput(which_, cell))
+        continue;
       const terms::TermId value = init.next[i];
       if (!value.valid() || !terms_.IsConst(value)) continue;
       // The control takes a request back when it likes.
@@ -77,15 +79,6 @@ class ConstantCells {
   struct PlaceInVariable {
     uint32_t cell, variable, low;
   };
-
-  bool IsInput(execute::CellId cell) const {
-    const execute::CellId old_cell = which_ == Which::kOld ? cell : comparison_.match.old_of_new[cell.index];
-    if (old_cell.valid()) return comparison_.IsInput(old_cell);
-    // The new version alone has it.
-    return machine::IsInbox(version_, cell) ||
-           machine::WhatControlWrites(version_, cell) == execute::ControlWrite::kValues ||
-           (machine::MayBeSetByHost(version_, cell) && !comparison_.new_uses.sets[cell.index]);
-  }
 
   void FindVariables() {
     for (uint32_t i = 0; i < constants_.size(); ++i) {

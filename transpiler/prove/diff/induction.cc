@@ -183,11 +183,7 @@ bool MakeFinders(Comparison& comparison) {
     invariants::InvariantSearch search{
         .version = is_old ? comparison.old_version : comparison.new_version,
         .cells = SupportOfUndecided(comparison, which, cone),
-        .is_input =
-            [&comparison, is_old](execute::CellId cell) {
-              const execute::CellId old_cell = is_old ? cell : comparison.match.old_of_new[cell.index];
-              return old_cell.valid() ? comparison.IsInput(old_cell) : machine::IsInbox(comparison.new_version, cell);
-            },
+        .is_input = [&comparison, which](execute::CellId cell) { return comparison.IsInput(which, cell); },
         .seen_states = {}};
     if (comparison.runs.for_each_seen_state)
       search.seen_states = [&comparison, which](const auto& visit) {
@@ -334,11 +330,32 @@ bool CheckPowerOn(Comparison& comparison) {
 
 namespace {
 
+/// Whether the host gets the retentive memory at the same moments: at calls that are given it, and when power fails,
+/// where the program may say whether it is kept then.
+bool IsStoredAlike(const Comparison& comparison) {
+  const ir::Program &old_program = *comparison.old_version.program, &new_program = *comparison.new_version.program;
+  for (uint32_t i = 0; i < old_program.host_functions.size(); ++i) {
+    const ir::HostFunctionId host(i);
+    const execute::CellId calls = comparison.old_version.cells.OfCalls(host);
+    const bool is_given = old_program.host_functions[host].access == ir::HostAccess::kReadsRetentive;
+    if (is_given && comparison.match.new_of_old[calls.index].valid() && !comparison.pairing.IsEqual(calls))
+      return false;
+  }
+  const ir::PlaceId old_bit = old_program.schedule.retain_at_power_off,
+                    new_bit = new_program.schedule.retain_at_power_off;
+  if (old_bit.valid() != new_bit.valid()) return false;
+  if (!old_bit.valid()) return true;
+  const execute::CellId old_cell =
+      execute::CellsOf(old_program, comparison.old_version.cells, old_program.places[old_bit]).front();
+  const execute::CellId new_cell =
+      execute::CellsOf(new_program, comparison.new_version.cells, new_program.places[new_bit]).front();
+  return comparison.match.new_of_old[old_cell.index] == new_cell && comparison.pairing.IsEqual(old_cell);
+}
+
 /// What the program tells the host to store is in the copy of that moment. Where the versions do not say so at the same
 /// time, the copies differ in all that either version writes.
 uint32_t SeparateStoredOtherwise(Comparison& comparison) {
-  const ir::HostFunctionId store = comparison.old_version.program->schedule.retentive_store;
-  if (!store.valid() || comparison.pairing.IsEqual(comparison.old_version.cells.OfCalls(store))) return 0;
+  if (IsStoredAlike(comparison)) return 0;
   uint32_t separated = 0;
   for (const PairResult& result : comparison.results) {
     const bool is_retentive = machine::IsRetentive(comparison.old_version, result.old_cell) ||

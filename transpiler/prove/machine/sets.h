@@ -22,6 +22,10 @@ std::vector<execute::CellId> CellsThatMayBeSet(const Version& version, const ir:
 /// Outputs and signals to the control are the program's, as the control's manual says who else writes them.
 bool MayBeSetByOthers(const Version& version, execute::CellId cell);
 
+/// By cell: what the schedule, and all that it calls, sets; what it only takes back is set where nobody else may set
+/// it. An index that may reach all of a space may reach signals of the host there, and says nothing about them.
+std::vector<bool> SetCells(const Version& version);
+
 /// Whether a cell is memory that the host may write, no matter what the program does with it.
 bool MayBeSetByHost(const Version& version, execute::CellId cell);
 

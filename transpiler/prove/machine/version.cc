@@ -9,7 +9,9 @@
 namespace plcxx::prove::machine {
 
 Version MakeVersion(const ir::Program& program) {
-  return {.program = &program, .cells = execute::MakeCells(program), .shared_loops = {}};
+  Version version{.program = &program, .cells = execute::MakeCells(program), .shared_loops = {}};
+  version.cells.tells_exchange = true;
+  return version;
 }
 
 ir::Direction DirectionOf(const Version& version, execute::CellId id) {
@@ -46,7 +48,6 @@ Uses UsesOf(const Version& version) {
       uses.reads[cell.index] = uses.writes[cell.index] = uses.sets[cell.index] = true;
     }
   };
-  const std::vector<bool> is_scheduled = ScheduledRegions(program);
   for (uint32_t r = 0; r < program.regions.size(); ++r) {
     for (const ir::InstId id : program.regions[ir::RegionId(r)].insts) {
       const ir::Inst& inst = program[id];
@@ -55,20 +56,17 @@ Uses UsesOf(const Version& version) {
           if (access != ir::Access::kWrite) uses.reads[cell.index] = true;
           if (access != ir::Access::kRead) uses.writes[cell.index] = true;
         }
-        if (access == ir::Access::kRead || !is_scheduled[r]) return;
-        for (const execute::CellId cell : CellsThatMayBeSet(version, inst, place)) uses.sets[cell.index] = true;
       };
       ir::ForEachAccess(program, inst, on_place, on_instance);
       if (ir::Info(inst.op).shape == ir::Shape::kHostCall) {
-        const ir::HostFunctionId host = program.calls[ir::CallId(inst.payload)].host;
-        for (const execute::CellId chain : version.cells.ChainsOf(host))
+        const ir::Call& call = program.calls[ir::CallId(inst.payload)];
+        for (const execute::CellId chain : version.cells.ChainsOf(call.host, call.exchange))
           uses.writes[chain.index] = uses.sets[chain.index] = true;
       }
     }
   }
-  for (uint32_t i = 0; i < version.cells.count; ++i) {
-    if (uses.writes[i] && !uses.sets[i]) uses.sets[i] = !MayBeSetByOthers(version, execute::CellId(i));
-  }
+  const std::vector<bool> set = SetCells(version);
+  for (uint32_t i = 0; i < version.cells.count; ++i) uses.sets[i] = uses.sets[i] || set[i];
   return uses;
 }
 

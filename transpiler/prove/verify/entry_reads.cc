@@ -61,8 +61,8 @@ void EntryReads::Inst(Walked& walked, const ir::Inst& inst) {
       },
       [&](ir::StateId state) { ReadAll(walked, execute::CellsOfInstance(program_, cells_, state)); });
   if (shape == ir::Shape::kHostCall) {
-    for (const execute::CellId chain : cells_.ChainsOf(program_.calls[ir::CallId(inst.payload)].host))
-      Read(walked, chain);
+    const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
+    for (const execute::CellId chain : cells_.ChainsOf(call.host, call.exchange)) Read(walked, chain);
   }
   if (shape == ir::Shape::kCall) {
     const Summary& callee = OfRoutine(program_.calls[ir::CallId(inst.payload)].routine);

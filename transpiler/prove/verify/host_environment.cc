@@ -145,7 +145,7 @@ terms::TermId HostEnvironment::CallHost(CodeMemory& memory, const HostRequest& r
 
   const uint32_t counter = image_.size() + id.index;
   terms::TermId calls, told;
-  for (const execute::CellId chain : cells_.ChainsOf(id)) {
+  for (const execute::CellId chain : cells_.ChainsOf(id, false)) {
     const uint32_t at = image_.size() + chain.index - cells_.calls;
     told = execute::CallsAfter(terms_, host.name, memory.Read(at), values);
     if (!calls.valid()) calls = told;

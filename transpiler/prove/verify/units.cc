@@ -129,7 +129,7 @@ void UnitMaker::NoteInstance(Footprint& footprint, ir::StateId state) const {
 
 void UnitMaker::NoteHost(Footprint& footprint, const ir::Call& call) const {
   const ir::HostFunction& host = program_.host_functions[call.host];
-  for (const execute::CellId chain : cells_.ChainsOf(call.host)) NoteCell(footprint, chain, true);
+  for (const execute::CellId chain : cells_.ChainsOf(call.host, call.exchange)) NoteCell(footprint, chain, true);
   footprint.shows_state = footprint.shows_state || host.access == ir::HostAccess::kReadsState;
   footprint.lends_state = footprint.lends_state || host.access == ir::HostAccess::kWritesState;
   // A retentive copy that is given is judged by the layout that it tells.

@@ -81,8 +81,8 @@ class AccessWalk {
     };
     ir::ForEachAccess(program_, inst, on_place, on_instance);
     if (ir::Info(inst.op).shape != ir::Shape::kHostCall) return;
-    const ir::HostFunctionId host = program_.calls[ir::CallId(inst.payload)].host;
-    for (const CellId chain : version_.cells.ChainsOf(host)) add({chain}, true);
+    const ir::Call& call = program_.calls[ir::CallId(inst.payload)];
+    for (const CellId chain : version_.cells.ChainsOf(call.host, call.exchange)) add({chain}, true);
   }
 
   const Version& version_;

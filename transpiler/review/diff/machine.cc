@@ -169,7 +169,7 @@ void DiffMachine::Look() {
   LookAtMemory();
   events_ = simulator_.TakeEvents();
   for (const sim::HostEvent& event : events_) {
-    for (const execute::CellId chain : version_.cells.ChainsOf(event.function)) {
+    for (const execute::CellId chain : version_.cells.ChainsOf(event.function, event.exchange)) {
       uint64_t& calls = calls_[chain.index - version_.cells.calls];
       // By its name: two versions number their functions differently.
       for (const char c : program_.host_functions[event.function].name)

@@ -94,11 +94,20 @@ void DropOrderOfCalls(std::vector<NamedItem>& items, const execute::Cells& cells
     return std::ranges::find(named.old_cells, cell) != named.old_cells.end();
   };
   const auto is_order = [&](const NamedItem& named) { return is_of(named, cells.OfOrder()); };
-  std::erase_if(items, [&](const NamedItem& named) { return is_of(named, cells.OfActions()); });
+  const auto actions =
+      std::ranges::find_if(items, [&](const NamedItem& named) { return is_of(named, cells.OfActions()); });
+  const bool is_equal_but_faults = actions == items.end() || actions->item.verdict == ItemVerdict::kEqual;
+  // Whose own news is why the order is another one.
   const bool is_explained = std::ranges::any_of(items, [&](const NamedItem& named) {
     const DiffItem& item = named.item;
-    return item.kind == ItemKind::kCalls && item.verdict == ItemVerdict::kDifferent && !is_order(named);
+    if (item.kind != ItemKind::kCalls || item.verdict != ItemVerdict::kDifferent || named.old_cells.empty())
+      return false;
+    const uint32_t function = named.old_cells.front().index - cells.calls;
+    if (function >= cells.roles.size()) return false;
+    return cells.roles[function] == execute::HostRole::kAction ||
+           (cells.roles[function] == execute::HostRole::kReport && is_equal_but_faults);
   });
+  std::erase_if(items, [&](const NamedItem& named) { return is_of(named, cells.OfActions()); });
   std::erase_if(items, [&](const NamedItem& named) {
     return is_order(named) && (is_explained || named.item.verdict == ItemVerdict::kEqual);
   });

@@ -10,6 +10,7 @@
 #include "transpiler/review/diff/machine.h"
 #include "transpiler/review/diff/runs.h"
 #include "transpiler/review/diff/shorten.h"
+#include "transpiler/scenarios/control.h"
 #include "transpiler/scenarios/scenario.h"
 #include "transpiler/scenarios/suite.h"
 #include "transpiler/sim/value_text.h"
@@ -74,9 +75,11 @@ bool IsKnownToOld(const DiffSide& old_side, const CounterexampleRequest& request
 bool HasNoName(const CellWord& word) { return !word.place && word.cells.size() == 1; }
 
 /// A value as a scenario writes it.
-std::string WordText(const CellWord& word, uint64_t value) {
-  const bool is_float = word.place && sim::IsFloat(word.place->type);
-  return is_float ? sim::ValueDigits(word.place->type, value) : std::to_string(value);
+std::string WordText(const DiffSide& side, const CellWords& words, const CellWord& word, uint64_t value) {
+  if (!word.place) return std::to_string(value);
+  const std::optional<dialects::Location> location =
+      side.compilation.dialect->locate(words.compiled_names(), word.name);
+  return sim::ValueDigits(word.place->type, value, location ? scenarios::SignOf(*location) : sim::Sign::kNone);
 }
 
 using Sets = std::vector<std::pair<std::string, std::string>>;  // location, value
@@ -104,7 +107,7 @@ std::optional<Sets> SetsOf(const DiffSide& old_side, const DiffSide& new_side, c
     }
     const std::string name = ScenarioName(old_side, new_side, request, word);
     if (!IsKnownToOld(old_side, request, name)) return std::nullopt;
-    sets.emplace_back(name, WordText(word, value));
+    sets.emplace_back(name, WordText(old_side, request.old_words, word, value));
   }
   return sets;
 }
@@ -339,8 +342,8 @@ std::optional<std::string> Expectation(const DiffSide& old_side, const DiffSide&
     return "expect_calls: " + *calls;
   }
   const SeenDifference seen = FindSeen(request, ends);
-  example.old_value = WordText(seen.word, seen.old_value);
-  example.new_value = WordText(seen.word, seen.new_value);
+  example.old_value = WordText(old_side, request.old_words, seen.word, seen.old_value);
+  example.new_value = WordText(new_side, request.new_words, seen.word, seen.new_value);
   // What the language has no name for is seen in the simulator, and in no scenario.
   if (HasNoName(seen.word)) return std::nullopt;
   // Of what has another name in each version a scenario would show that the new one does not know it.

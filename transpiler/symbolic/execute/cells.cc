@@ -27,7 +27,8 @@ HostRole RoleOf(const ir::HostFunction& host) {
 
 }  // namespace
 
-std::vector<CellId> Cells::ChainsOf(ir::HostFunctionId host) const {
+std::vector<CellId> Cells::ChainsOf(ir::HostFunctionId host, bool exchange) const {
+  if (exchange && tells_exchange) return {OfCalls(host)};
   switch (roles[host.index]) {
     case HostRole::kExchange:
       return {OfCalls(host)};
@@ -55,9 +56,6 @@ Cells MakeCells(const ir::Program& program) {
   cells.calls = cells.count;
   cells.count += program.host_functions.size() + Cells::kChains;
   for (const ir::HostFunction& host : program.host_functions) cells.roles.push_back(RoleOf(host));
-  for (const ir::Call& call : program.calls) {
-    if (call.exchange && call.host.valid()) cells.roles[call.host.index] = HostRole::kExchange;
-  }
   return cells;
 }
 

@@ -54,6 +54,9 @@ struct Cells {
   uint32_t calls = 0;            // cell of host function 0
   uint32_t count = 0;
   std::vector<HostRole> roles;  // by HostFunctionId
+  /// Whether calls of other functions that are part of the regular exchange (ir::Call::exchange) are told from those
+  /// that the program makes for itself. C++ does not tell.
+  bool tells_exchange = false;
 
   CellId OfBit(ir::SpaceId space, uint32_t offset, uint8_t bit) const {
     return CellId(spaces[space.index] + 8 * offset + bit);
@@ -65,7 +68,8 @@ struct Cells {
   CellId OfActions() const { return CellId(count - 1); }
   /// What a call of the function goes on: its own calls, and those of the chains that it is in. What it answers, and
   /// what the host writes at it, depends on the last one.
-  std::vector<CellId> ChainsOf(ir::HostFunctionId host) const;
+  /// `exchange`: the call is part of the regular exchange.
+  std::vector<CellId> ChainsOf(ir::HostFunctionId host, bool exchange) const;
   /// Cells of calls.
   uint32_t CallCells() const { return count - calls; }
 };

@@ -228,7 +228,7 @@ void Executor::ExecuteHostCall(ir::InstId id, const ir::Inst& inst) {
   const auto& tell = memory_.environment().tell;
   if (tell && tell(id, arguments, Absolute())) return;
   terms::TermId calls, told;
-  for (const CellId chain : memory_.cells().ChainsOf(call.host)) {
+  for (const CellId chain : memory_.cells().ChainsOf(call.host, call.exchange)) {
     told = CallsAfter(terms_, host.name, memory_.Read(chain), arguments);
     if (!calls.valid()) calls = told;
     WriteCell(chain, told);

@@ -114,7 +114,7 @@ class Summarizer {
     // What answers looks at the calls before; who is only told something does not.
     const bool answers = host.result != ir::Type::kNone || call.out.valid();
     const ir::Access access = answers ? ir::Access::kReadAndWrite : ir::Access::kWrite;
-    for (const CellId chain : cells_.ChainsOf(call.host)) Use({chain}, access);
+    for (const CellId chain : cells_.ChainsOf(call.host, call.exchange)) Use({chain}, access);
     for (const ir::ValueId argument : call.arguments) Value(argument.index);
     if (call.out.valid()) Place(call.out, ir::Access::kWrite);
   }
