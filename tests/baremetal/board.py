@@ -22,12 +22,25 @@ def free_port():
         return some.getsockname()[1]
 
 
+ATTEMPTS = 4  # of what a starved machine ended
+
+
 class Board:
     """`build` has the programs, each for this board; `emulator` is its command with the machine's options."""
 
     def __init__(self, name, build, emulator):
         self.name, self.build, self.emulator = name, pathlib.Path(build), emulator
         self.starved = False  # the watchdog of the last machine ended it: this computer had no time for the emulator
+
+    def patiently(self, act):
+        """Calls it, anew where the machine was starved: a computer that stands still for longer than the machine's watchdog
+        waits says nothing about what is tested."""
+        for attempt in range(1, ATTEMPTS + 1):
+            try:
+                return act()
+            except Exception:
+                if not self.starved or attempt == ATTEMPTS:
+                    raise
 
     def command(self, program, *options):
         return [*self.emulator, "-nodefaults", "-display", "none", *options, "-semihosting-config", "enable=on,target=native",

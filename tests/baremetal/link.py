@@ -130,5 +130,5 @@ def attack(folder):
 with tempfile.TemporaryDirectory() as name:
     FOLDER = pathlib.Path(name)
     for kind in ("socket", "serial") if BOARD.name == "riscv" else ("tcp", "serial"):
-        operate(kind, FOLDER)
-    attack(FOLDER)
+        BOARD.patiently(lambda: operate(kind, FOLDER))
+    BOARD.patiently(lambda: attack(FOLDER))

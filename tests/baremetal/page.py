@@ -22,8 +22,6 @@ sys.path.insert(0, str(ROOT / "tests" / "live"))
 from link_page import Shown  # noqa: E402
 from server import Server  # noqa: E402
 
-ATTEMPTS = 4
-
 
 def sees(shown):
     link = shown.until_link(connected=True)
@@ -110,11 +108,4 @@ def operate(transport, folder):
 
 with tempfile.TemporaryDirectory(prefix="plcxx-test-") as name:
     for kind in ("socket", "serial") if BOARD.name == "riscv" else ("tcp", "serial"):
-        # A computer that stands still for longer than the machine's watchdog waits says nothing about the page.
-        for attempt in range(1, ATTEMPTS + 1):
-            try:
-                operate(kind, pathlib.Path(name))
-                break
-            except Exception:
-                if not BOARD.starved or attempt == ATTEMPTS:
-                    raise
+        BOARD.patiently(lambda: operate(kind, pathlib.Path(name)))

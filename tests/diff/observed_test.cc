@@ -11,8 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const Language kProstep{"prostep", ".plc"};
-
 void ExpectDifferent(const Diff& diff, const std::string& name) {
   const DiffItem* const item = ItemNamed(diff, name);
   ASSERT_NE(item, nullptr) << name << " is not among: " << NamesIn(diff);

@@ -9,9 +9,8 @@
 namespace plcxx::prove::machine {
 
 Version MakeVersion(const ir::Program& program) {
-  Version version{.program = &program, .cells = execute::MakeCells(program), .shared_loops = {}};
-  version.cells.tells_exchange = true;
-  return version;
+  return {
+      .program = &program, .cells = execute::MakeCells(program, execute::ExchangeCalls::kOneByOne), .shared_loops = {}};
 }
 
 ir::Direction DirectionOf(const Version& version, execute::CellId id) {
@@ -65,7 +64,7 @@ Uses UsesOf(const Version& version) {
       }
     }
   }
-  const std::vector<bool> set = SetCells(version);
+  const std::vector<bool> set = SetCells(version, WideElements::kAreOwn);
   for (uint32_t i = 0; i < version.cells.count; ++i) uses.sets[i] = uses.sets[i] || set[i];
   return uses;
 }

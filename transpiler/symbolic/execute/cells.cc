@@ -28,7 +28,7 @@ HostRole RoleOf(const ir::HostFunction& host) {
 }  // namespace
 
 std::vector<CellId> Cells::ChainsOf(ir::HostFunctionId host, bool exchange) const {
-  if (exchange && tells_exchange) return {OfCalls(host)};
+  if (exchange && exchange_calls == ExchangeCalls::kOneByOne) return {OfCalls(host)};
   switch (roles[host.index]) {
     case HostRole::kExchange:
       return {OfCalls(host)};
@@ -40,8 +40,9 @@ std::vector<CellId> Cells::ChainsOf(ir::HostFunctionId host, bool exchange) cons
   PLCXX_UNREACHABLE();
 }
 
-Cells MakeCells(const ir::Program& program) {
+Cells MakeCells(const ir::Program& program, ExchangeCalls exchange_calls) {
   Cells cells;
+  cells.exchange_calls = exchange_calls;
   const std::vector<uint32_t> reached = ReachedBytes(program);
   for (uint32_t i = 0; i < program.spaces.size(); ++i) {
     const ir::Space& space = program.spaces[ir::SpaceId(i)];
@@ -56,6 +57,10 @@ Cells MakeCells(const ir::Program& program) {
   cells.calls = cells.count;
   cells.count += program.host_functions.size() + Cells::kChains;
   for (const ir::HostFunction& host : program.host_functions) cells.roles.push_back(RoleOf(host));
+  for (const ir::Call& call : program.calls) {
+    if (exchange_calls == ExchangeCalls::kByFunction && call.exchange && call.host.valid())
+      cells.roles[call.host.index] = HostRole::kExchange;
+  }
   return cells;
 }
 
