@@ -26,6 +26,14 @@ bool MayBeSeen(const machine::Version& version, execute::CellId id) {
           execute::HostSees(ir::HostAccess::kReadsRetentive, version.program->spaces[cell.space]));
 }
 
+std::optional<Which> OnlyCaller(const Comparison& comparison, execute::CellId old_cell, execute::CellId new_cell) {
+  const bool old_calls = comparison.old_uses.writes[old_cell.index],
+             new_calls = comparison.new_uses.writes[new_cell.index];
+  if (!new_calls && IsCalledAtPowerOn(comparison.old_version, old_cell)) return Which::kOld;
+  if (!old_calls && IsCalledAtPowerOn(comparison.new_version, new_cell)) return Which::kNew;
+  return std::nullopt;
+}
+
 void AddMatched(Comparison& comparison) {
   comparison.result_of_old.assign(comparison.old_version.cells.count, Comparison::kNoResult);
   const OneSidedMemory one_sided(comparison.old_version, comparison.new_version, comparison.old_uses,
@@ -38,9 +46,9 @@ void AddMatched(Comparison& comparison) {
       return uses.reads[cell.index] || uses.writes[cell.index];
     };
     // A table that no version touches by itself is there for the host.
-    const bool begins_alike =
-        PowerOnValue(comparison.old_version, old_cell) == PowerOnValue(comparison.new_version, new_cell);
-    if (!is_used(comparison.old_uses, old_cell) && !is_used(comparison.new_uses, new_cell) && begins_alike) continue;
+    if (!is_used(comparison.old_uses, old_cell) && !is_used(comparison.new_uses, new_cell) &&
+        comparison.BeginsAlike(old_cell, new_cell))
+      continue;
     // A flag that one version alone uses is how it does something, not what it does: it may be anything in the proof.
     // What holds of it in the version that does not use it says nothing about the other one: two variables.
     if (one_sided.Has(old_cell)) {
@@ -48,15 +56,16 @@ void AddMatched(Comparison& comparison) {
       continue;
     }
     comparison.result_of_old[i] = static_cast<uint32_t>(comparison.results.size());
-    comparison.results.push_back({.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
-    if (old_cell.index >= comparison.old_version.cells.calls &&
-        OnlyCaller(comparison.old_version, old_cell, comparison.new_version, new_cell)) {
-      comparison.results.back().verdict = PairVerdict::kDifferent;
-      comparison.results.back().changed_itself = true;
+    PairResult& result =
+        comparison.results.emplace_back(PairResult{.old_cell = old_cell, .new_cell = new_cell, .reason = {}});
+    result.only_caller = OnlyCaller(comparison, old_cell, new_cell);
+    if (result.only_caller) {
+      result.verdict = PairVerdict::kDifferent;
+      result.changed_itself = true;
       comparison.pairing.Separate(old_cell);
     }
-    const bool written = comparison.old_uses.writes[i] || comparison.new_uses.writes[new_cell.index];
-    if (written && MayBeSeen(comparison.old_version, old_cell) && MayBeSeen(comparison.new_version, new_cell)) {
+    if (comparison.IsWritten(result) && MayBeSeen(comparison.old_version, old_cell) &&
+        MayBeSeen(comparison.new_version, new_cell)) {
       comparison.old_observed.push_back(old_cell);
       comparison.new_observed.push_back(new_cell);
     }
@@ -216,9 +225,8 @@ void ProveWithRenamed(Comparison& comparison) {
 void LeaveOutInputs(Comparison& comparison) {
   for (PairResult& result : comparison.results) {
     const bool written = comparison.IsWritten(result);
-    const bool begins_alike =
-        PowerOnValue(comparison.old_version, result.old_cell) == PowerOnValue(comparison.new_version, result.new_cell);
-    if (result.verdict == PairVerdict::kUndecided && !written && begins_alike && comparison.IsInput(result.old_cell))
+    if (result.verdict == PairVerdict::kUndecided && !written && comparison.IsInput(result.old_cell) &&
+        comparison.BeginsAlike(result.old_cell, result.new_cell))
       result.verdict = PairVerdict::kUntouched;
   }
 }

@@ -70,6 +70,8 @@ struct PairResult {
   /// What its own statements do differs, with every value that they read equal. Of others that are undecided it is
   /// proved that they behave alike in every run in which those with such a change do.
   bool changed_itself = false;
+  /// Of calls: the version that makes them whenever power comes, while the other one never does. No run has to show it.
+  std::optional<Which> only_caller;
   std::optional<Run> run;
   std::string reason;  // of kUndecided
 };

@@ -83,6 +83,10 @@ struct Comparison {
   bool IsInput(execute::CellId old_cell) const;
   /// The same of a cell of either version; of one that the new version alone has, whether others may set it there.
   bool IsInput(Which which, execute::CellId cell) const;
+  /// With the same value in both versions when power comes, if nobody wrote it before.
+  bool BeginsAlike(execute::CellId old_cell, execute::CellId new_cell) const {
+    return PowerOnValue(old_version, old_cell) == PowerOnValue(new_version, new_cell);
+  }
   /// By either version.
   bool IsWritten(const PairResult& result) const {
     return old_uses.writes[result.old_cell.index] || new_uses.writes[result.new_cell.index];

@@ -57,8 +57,7 @@ machine::PartEnvironment EnvironmentOf(Comparison& comparison, Which which) {
                 if (uses.writes[cell.index] || (other.valid() && other_uses.writes[other.index])) return true;
                 // So does what it has at power-on: a table that the loader exchanges when it likes.
                 const execute::CellId old_cell = is_old ? cell : other, new_cell = is_old ? other : cell;
-                return other.valid() &&
-                       PowerOnValue(comparison.old_version, old_cell) != PowerOnValue(comparison.new_version, new_cell);
+                return other.valid() && !comparison.BeginsAlike(old_cell, new_cell);
               },
           .never_holds =
               [&comparison, which](ir::InstId loop, terms::TermId condition) {
@@ -292,8 +291,7 @@ namespace {
 /// that one version alone makes. Not what was stored, or declared otherwise: that stays if nobody sets it.
 bool IsSetAlike(const Comparison& comparison, const PairResult& result) {
   return comparison.IsInput(result.old_cell) && !comparison.IsWritten(result) &&
-         PowerOnValue(comparison.old_version, result.old_cell) ==
-             PowerOnValue(comparison.new_version, result.new_cell) &&
+         comparison.BeginsAlike(result.old_cell, result.new_cell) &&
          !machine::IsRetentive(comparison.old_version, result.old_cell) &&
          !machine::IsRetentive(comparison.new_version, result.new_cell);
 }

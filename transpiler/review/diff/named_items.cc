@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "transpiler/prove/diff/power_on_calls.h"
-
 namespace plcxx::review::diff {
 namespace {
 
@@ -40,14 +38,10 @@ bool IsWorse(ItemVerdict one, ItemVerdict other) {
 }
 
 /// Of calls that one version alone makes, for certain; none: a run has to show it.
-std::optional<Declared> CallsOfOneVersion(const PairResult& pair, const Named& old_side, const Named& new_side) {
+std::optional<Declared> CallsOfOneVersion(const PairResult& pair) {
   const std::string with = "asked of the control", without = "not asked of the control";
-  const Declared by_old{with, without}, by_new{without, with};
-  if (!pair.new_cell.valid()) return by_old;
-  if (!pair.old_cell.valid()) return by_new;
-  const std::optional<prove::diff::Which> caller =
-      prove::diff::OnlyCaller(old_side.version, pair.old_cell, new_side.version, pair.new_cell);
-  if (caller) return *caller == prove::diff::Which::kOld ? by_old : by_new;
+  if (!pair.new_cell.valid() || pair.only_caller == prove::diff::Which::kOld) return Declared{with, without};
+  if (!pair.old_cell.valid() || pair.only_caller == prove::diff::Which::kNew) return Declared{without, with};
   return std::nullopt;
 }
 
@@ -76,7 +70,7 @@ std::vector<NamedItem> MakeItems(const prove::diff::CompareResult& result, const
       std::ranges::replace(items.back().item.meaning, '\n', ' ');  // comments of several lines
     }
     NamedItem& named = items[at->second];
-    if (kind == ItemKind::kCalls) named.item.declared = CallsOfOneVersion(pair, old_side, new_side);
+    if (kind == ItemKind::kCalls) named.item.declared = CallsOfOneVersion(pair);
     if (pair.old_cell.valid()) named.old_cells.push_back(pair.old_cell);
     if (pair.new_cell.valid()) named.new_cells.push_back(pair.new_cell);
     named.item.changed_itself = named.item.changed_itself || pair.changed_itself;
