@@ -39,7 +39,7 @@ class Machine {
  public:
   Machine(const DiffSide& side, Answers answers, uint64_t seed)
       : program_(side.compilation.program),
-        roles_(execute::MakeCells(program_, execute::ExchangeCalls::kOneByOne).roles),
+        roles_(execute::MakeCells(program_, execute::ExchangeCalls::kApart).roles),
         answers_alone_(roles_.size()),
         simulator_(program_),
         control_(program_, *side.compilation.dialect, simulator_,

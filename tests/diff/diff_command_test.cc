@@ -39,6 +39,16 @@ TEST_F(DiffCommand, EqualVersionsGiveZero) {
   EXPECT_THAT(ran.out, HasSubstr("no difference; "));
 }
 
+/// The control knows the word that has a message's number by its address.
+TEST_F(DiffCommand, ARenamedMessageWordIsTheSame) {
+  place_.Write("old/names.sym", "* names\nShown = W17K3\n");
+  place_.Write("new/names.sym", "* names\nTold = W17K3\n");
+  place_.Write("old/door.plc", "$\n!Shown=W0K0\n");
+  place_.Write("new/door.plc", "$\n!Told=W0K0\n");
+  const Ran ran = place_.Run("diff old new --sources names.sym door.plc --dialect nc110");
+  EXPECT_EQ(ran.code, 0) << ran;
+}
+
 TEST_F(DiffCommand, RevisionsOfGit) {
   const std::string commands =
       "cd '" + place_.Path(".") +

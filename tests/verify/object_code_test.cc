@@ -55,8 +55,10 @@ std::string Meaning(const char* target_name, const std::vector<std::string>& fil
     std::ifstream stream(directory.File("code.o"), std::ios::binary);
     objects.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   }
-  const std::vector<verify::Signature> signatures = {{.function = "f", .parameters = {{.name = "m"}}},
-                                                     {.function = "declared", .parameters = {{.name = "m"}}}};
+  std::vector<verify::Signature> signatures = {{.function = "f", .parameters = {{.name = "m"}}},
+                                               {.function = "declared", .parameters = {{.name = "m"}}},
+                                               {.function = "many", .parameters = {{.name = "m"}}}};
+  for (int i = 1; i < 10; ++i) signatures.back().parameters.push_back({.name = std::to_string(i), .width = 32});
   const verify::LoadedCode loaded = verify::LoadObjectCode(
       {.objects = objects, .signatures = signatures, .processor = std::string(target.processor)});
   if (loaded.code == nullptr) return loaded.reason;
@@ -221,6 +223,57 @@ declared: li t3, 7; ret
   if (Meaning("rv32imac", {with("t3")}) == "no compiler") GTEST_SKIP();
   EXPECT_EQ(Meaning("rv32imac", {with("t3")}), "not known");
   EXPECT_EQ(Meaning("rv32imac", {with("zero")}), "0");
+}
+
+/// What is passed on the stack is the callee's: it may be another number when it comes back.
+TEST(ObjectCode, ArgumentsOnTheStackAreGone) {
+  const auto caller = [](const std::string& slot) {
+    return R"(
+  .section .text.f, "ax"
+  .globl f
+  .type f, @function
+f: addi sp, sp, -32; sw ra, 28(sp); sw s0, 24(sp); mv s0, a0; li t0, 5; sw t0, 0(sp); sw t0, 4(sp); sw t0, 8(sp)
+   call many; lw t0, )" +
+           slot + R"((sp); sw t0, 0(s0); lw ra, 28(sp); lw s0, 24(sp); addi sp, sp, 32; ret
+  .size f, . - f
+  .section .text.many, "ax"
+  .globl many
+  .type many, @function
+many: sw zero, 0(sp); ret
+  .size many, . - many
+)";
+  };
+  if (Meaning("rv32imac", {caller("0")}) == "no compiler") GTEST_SKIP();
+  EXPECT_EQ(Meaning("rv32imac", {caller("0")}), "not known");
+  EXPECT_EQ(Meaning("rv32imac", {caller("4")}), "not known");
+  EXPECT_EQ(Meaning("rv32imac", {caller("8")}), "5");
+}
+
+/// Files have functions of one name for themselves: each is called by its own file.
+TEST(ObjectCode, FunctionsOfOneNameAreTold) {
+  const auto file = [](const std::string& number, const std::string& more) {
+    return "  .text\n  .type declared, @function\ndeclared: li a1, " + number +
+           "; ret\n  .size declared, . - declared\n" + more;
+  };
+  const std::string caller = R"(
+  .globl f
+  .type f, @function
+f: addi sp, sp, -16; sw ra, 12(sp); sw s0, 8(sp); mv s0, a0; call declared; sw zero, 0(s0)
+   lw ra, 12(sp); lw s0, 8(sp); addi sp, sp, 16; ret
+  .size f, . - f
+)";
+  if (Meaning("rv32imac", {file("5", caller)}) == "no compiler") GTEST_SKIP();
+  EXPECT_EQ(Meaning("rv32imac", {file("5", caller)}), "0");
+  EXPECT_EQ(Meaning("rv32imac", {file("5", caller), file("5", "")}), "0");
+  EXPECT_EQ(Meaning("rv32imac", {file("5", caller), file("6", "")}), "several functions declared");
+}
+
+TEST(ObjectCode, WhatRunsByItselfIsRefused) {
+  const std::string text = "  .text\n  .globl f\n  .type f, @function\nf: ret\n  .size f, . - f\n";
+  if (Meaning("rv32imac", {text}) == "no compiler") GTEST_SKIP();
+  EXPECT_EQ(Meaning("rv32imac", {text}), "0");
+  EXPECT_THAT(Meaning("rv32imac", {text + "  .section .init_array, \"aw\"\n  .word f\n"}),
+              HasSubstr("functions that run before or after the program's (.init_array)"));
 }
 
 TEST(ObjectCode, InlineFunctionsMustBeAlike) {

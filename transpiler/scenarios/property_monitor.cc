@@ -1,5 +1,6 @@
 #include "transpiler/scenarios/property_monitor.h"
 
+#include <algorithm>
 #include <bit>
 #include <functional>
 #include <map>
@@ -64,14 +65,16 @@ PropertyMonitor::PropertyMonitor(const ir::Program& program, const execute::Cell
 
 void PropertyMonitor::PowerOn() {
   slow_done_ = 0;
-  fast_ran_alone_ = false;
+  fast_since_slow_ = 0;
+  is_off_schedule_ = false;
   values_.assign(terms_.variable_count(), 0);
 }
 
 void PropertyMonitor::Exchange(Moment& other) {
   std::swap(values_, other.values);
   std::swap(slow_done_, other.slow_done);
-  std::swap(fast_ran_alone_, other.fast_ran_alone);
+  std::swap(fast_since_slow_, other.fast_since_slow);
+  std::swap(is_off_schedule_, other.is_off_schedule);
   violation_.reset();
 }
 
@@ -81,13 +84,21 @@ void PropertyMonitor::BeginAt(sim::Engine& engine) {
 }
 
 bool PropertyMonitor::IsEndOfPeriod(sim::Engine& engine, sim::Clock::Part part) {
-  // With a time of its own it runs between the slow parts anyway.
-  const bool is_timed = program_.schedule.fast_ms != 0;
   if (part == sim::Clock::Part::kFastOnly) {
-    fast_ran_alone_ = fast_ran_alone_ || !is_timed;
+    if (IsTimed()) {
+      ++fast_since_slow_;
+    } else {
+      is_off_schedule_ = true;
+    }
     return false;
   }
-  if (is_timed || !sliced_) return true;
+  if (IsTimed()) {
+    const uint32_t ran = std::exchange(fast_since_slow_, 0);
+    const uint32_t of_period = std::max(1U, program_.schedule.period_ms / program_.schedule.fast_ms);
+    is_off_schedule_ = is_off_schedule_ || ran != of_period;
+    return true;
+  }
+  if (!sliced_) return true;
   const uint64_t before = std::exchange(slow_done_, engine.Read(program_.places[program_.schedule.slow_done]));
   return slow_done_ != before;
 }
@@ -100,7 +111,11 @@ void PropertyMonitor::AfterPart(sim::Engine& engine, sim::Clock::Part part) {
     for (const Count& count : watched.counts) values_[count.variable] = after[count.next.index];
     if (violation_ || after[watched.holds.index] != 0) continue;
     violation_ = "property '" + watched.text + "' does not hold";
-    if (fast_ran_alone_) *violation_ += "; the fast part ran alone before, and a proof is about whole periods";
+    if (is_off_schedule_) {
+      *violation_ +=
+          IsTimed() ? "; the slow part ran without the fast parts of its period" : "; the fast part ran alone before";
+      *violation_ += ", and a proof is about whole periods";
+    }
     // Who asked waits no longer.
     if (watched.kind == prove::properties::PropertyKind::kResponse && !watched.counts.empty())
       values_[watched.counts.back().variable] = 0;

@@ -2,7 +2,9 @@
 //
 // In: properties and an engine after each part. Out: the first one that is violated. A proof is about whole periods: a
 // fast part alone is not looked at, and is no step of a time; a program whose slow part is cut into slices is looked at
-// after its last slice. "is never stuck" cannot be seen in one run and is not watched.
+// after its last slice; and of a control whose parts have times of their own a slow part is looked at whose fast parts
+// did not run before it as often as in its period. What is violated behind either is told as such. "is never stuck"
+// cannot be seen in one run and is not watched.
 #pragma once
 
 #include <cstdint>
@@ -30,10 +32,16 @@ class PropertyMonitor {
   struct Moment {
     std::vector<uint64_t> values;
     uint64_t slow_done = 0;
-    bool fast_ran_alone = false;
+    uint32_t fast_since_slow = 0;
+    bool is_off_schedule = false;
     bool operator==(const Moment&) const = default;
   };
-  Moment Now() const { return {.values = values_, .slow_done = slow_done_, .fast_ran_alone = fast_ran_alone_}; }
+  Moment Now() const {
+    return {.values = values_,
+            .slow_done = slow_done_,
+            .fast_since_slow = fast_since_slow_,
+            .is_off_schedule = is_off_schedule_};
+  }
   /// Goes where `other` is, which becomes what this one was, and has seen no violation.
   void Exchange(Moment& other);
   /// It begins at a moment, of whose past nothing is known: a property is then looked at from there.
@@ -59,6 +67,7 @@ class PropertyMonitor {
   };
 
   bool IsEndOfPeriod(sim::Engine& engine, sim::Clock::Part part);
+  bool IsTimed() const { return program_.schedule.fast_ms != 0; }
 
   const ir::Program& program_;
   std::vector<ir::Place> places_;  // of the first variables
@@ -67,7 +76,8 @@ class PropertyMonitor {
   std::vector<uint64_t> values_;  // by variable
   bool sliced_ = false;
   uint64_t slow_done_ = 0;
-  bool fast_ran_alone_ = false;
+  uint32_t fast_since_slow_ = 0;  // parts; counted where they have a time of their own
+  bool is_off_schedule_ = false;  // something ran that is no part of a period
   std::optional<std::string> violation_;
 };
 

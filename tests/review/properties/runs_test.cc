@@ -75,6 +75,26 @@ TEST(ProveRuns, AFastPartAloneIsNoStepOfAProperty) {
               HasSubstr("does not hold; the fast part ran alone before, and a proof is about whole periods"));
 }
 
+// TECHNOL's fast part has a time of its own: its periods are those of the clock, and a slow part alone is none.
+TEST(ProveRuns, ASlowPartWithoutItsFastPartsIsNoPeriod) {
+  const Workplace work;
+  const Ran proved = Prove(work, "m.plc",
+                           "        DATA\nIN0: DFM KUS\nOUT0: DFM CHOD,RYCH\n        DATA_END\n        MODULE_FAST\n"
+                           "        LDR KUS\n        WR RYCH\n        MODULE_FAST_END\n        MODULE_MAIN\n"
+                           "        LDR KUS\n        WR CHOD\n        MODULE_MAIN_END\n        STOP\n",
+                           "CHOD implies RYCH\n");
+  EXPECT_EQ(proved.code, 0) << proved;
+  const std::string scenario = "sources: [m.plc]\nproperties: [CHOD implies RYCH]\nsteps:\n- set: {KUS: 1}\n- run: ";
+  work.Write("s.yaml", scenario + "{ms: 100}\n");
+  EXPECT_EQ(work.Run("test --engine sim s.yaml").code, 0);
+  work.Write("s.yaml", scenario + "{slow: 1}\n");
+  const Ran violated = work.Run("test --engine sim s.yaml");
+  EXPECT_EQ(violated.code, 1) << violated;
+  EXPECT_THAT(violated.out + violated.errors,
+              HasSubstr("does not hold; the slow part ran without the fast parts of its period, and a proof is about "
+                        "whole periods"));
+}
+
 // Three codes in this order, with two seconds between them: nobody guesses that, a scenario knows it.
 TEST(ProveRuns, AViolationBehindAStartUpIsFoundByItsScenario) {
   constexpr std::string_view kSource =

@@ -10,7 +10,7 @@ namespace plcxx::prove::machine {
 
 Version MakeVersion(const ir::Program& program) {
   return {
-      .program = &program, .cells = execute::MakeCells(program, execute::ExchangeCalls::kOneByOne), .shared_loops = {}};
+      .program = &program, .cells = execute::MakeCells(program, execute::ExchangeCalls::kApart), .shared_loops = {}};
 }
 
 ir::Direction DirectionOf(const Version& version, execute::CellId id) {

@@ -1,6 +1,8 @@
 #include "transpiler/prove/verify/bitcode.h"
 
+#include <algorithm>
 #include <iterator>
+#include <string_view>
 
 #include "transpiler/compile/child_process.h"
 #include "transpiler/compile/runtime_files.h"
@@ -34,6 +36,19 @@ std::string FirstFault(const std::string& output) {
   return output.substr(begin, output.find('\n', at) - begin);
 }
 
+/// A line that asks the preprocessor for more than other files: with `static` defined, as here, it may choose another
+/// text than in the build. Empty: there is none.
+std::string_view FindDirective(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::string_view begins = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
+    const bool is_directive = begins.starts_with('#') || begins.starts_with("%:");
+    if (is_directive && !begins.starts_with("#include ") && begins != "#pragma once") return begins;
+  }
+  return {};
+}
+
 bool WriteFiles(const BitcodeRequest& request, const compile::TemporaryDirectory& directory) {
   bool written = directory.valid() && compile::WriteRuntime(directory.path());
   for (const emit::OutputFile& file : request.runtime) written = written && directory.Write(file.name, file.text);
@@ -47,6 +62,11 @@ bool WriteFiles(const BitcodeRequest& request, const compile::TemporaryDirectory
 }  // namespace
 
 std::variant<Bitcode, BitcodeFailure> CompileToBitcode(const BitcodeRequest& request) {
+  for (const emit::OutputFile& file : *request.files) {
+    const bool is_compiled = file.name.ends_with(".hpp") || file.name.ends_with(".cpp");
+    if (const std::string_view line = is_compiled ? FindDirective(file.text) : ""; !line.empty())
+      return BitcodeFailure{file.name + " has a line for the preprocessor: " + std::string(line), ""};
+  }
   const compile::TemporaryDirectory directory;
   if (!WriteFiles(request, directory)) return BitcodeFailure{directory.WhyNot(), ""};
   Bitcode bitcode;

@@ -40,9 +40,11 @@ class CodeMemory {
 struct HostArgument {
   enum class Kind : uint8_t { kValue, kHost, kMemory, kUnknownPointer };
   Kind kind = Kind::kValue;
-  terms::TermId value;    // kValue
-  uint32_t slot = 0;      // kMemory: where the bytes begin that it points to
-  std::string_view name;  // of the function's parameter; empty: it has none there
+  terms::TermId value;     // kValue
+  uint32_t slot = 0;       // kMemory: where the bytes begin that it points to
+  uint64_t bytes = 0;      // kMemory: from there to the end of the object
+  std::string_view name;   // of the function's parameter; empty: it has none there
+  bool is_unused = false;  // the code defines the function, and does nothing with it: compilers pass anything
 };
 
 /// A call that the environment answer: of a function that the code declares and does not define, or that they replace.

@@ -124,7 +124,10 @@ terms::TermId HostEnvironment::CallHost(CodeMemory& memory, const HostRequest& r
   uint32_t slot = 0;
   if (host.access != ir::HostAccess::kNone) {
     const HostArgument* memory_argument = take(Kind::kMemory);
-    fits = fits && memory_argument != nullptr && (GetsRetentive(host.access) || memory_argument->slot == 0);
+    const bool retentive = GetsRetentive(host.access);
+    const uint32_t bytes = retentive ? image_.retentive_end() - image_.retentive_begin() : image_.size();
+    fits = fits && memory_argument != nullptr && (retentive || memory_argument->slot == 0) &&
+           memory_argument->bytes >= bytes;
     slot = memory_argument != nullptr ? memory_argument->slot : 0;
   }
   std::vector<terms::TermId> values;
@@ -135,8 +138,9 @@ terms::TermId HostEnvironment::CallHost(CodeMemory& memory, const HostRequest& r
   }
   const HostArgument* out = host.out.name.empty() ? nullptr : take(Kind::kMemory);
   const uint8_t width = host.result == ir::Type::kNone ? uint8_t{0} : meaning::WidthOf(host.result);
-  fits = fits && (host.out.name.empty() || out != nullptr) && next == request.arguments.size() &&
-         width == request.result_width;
+  const uint64_t out_bytes = host.out.name.empty() ? 0 : ir::Bytes(host.out.type);
+  fits = fits && (host.out.name.empty() || (out != nullptr && out->bytes >= out_bytes)) &&
+         next == request.arguments.size() && width == request.result_width;
   if (!fits) {
     refusal = "a call of " + std::string(request.function) + " with other parameters than its declaration";
     return {};

@@ -119,6 +119,7 @@ ReplacedCall::ReplacedCall(const emit::Emittable& emittable, const execute::Cell
       image_(image),
       unit_(unit),
       parameters_(ParametersOf(emittable, unit, passes)),
+      passes_(passes),
       result_(result) {
   AddItems(passes);
   for (const ir::PlaceId place : unit.values) {
@@ -300,8 +301,14 @@ std::optional<ReplacedCall::Bound> ReplacedCall::Bind(const HostRequest& request
   for (const HostArgument& argument : request.arguments) {
     if (PromotedOffset(argument.name, "m")) return std::nullopt;
   }
-  const HostArgument* state = find("m");
-  if (state != nullptr && state->kind == HostArgument::Kind::kMemory && state->slot != 0) return std::nullopt;
+  if (passes_ == Passes::kStateAndHost) {
+    const HostArgument *state = find("m"), *host = find("host");
+    const auto is_state = [this](const HostArgument& argument) {
+      return argument.kind == HostArgument::Kind::kMemory && argument.slot == 0 && argument.bytes >= image_.size();
+    };
+    if (state != nullptr && !state->is_unused && !is_state(*state)) return std::nullopt;
+    if (host != nullptr && !host->is_unused && host->kind != HostArgument::Kind::kHost) return std::nullopt;
+  }
   Bound bound{.values = std::vector<terms::TermId>(items_.size()), .slots = std::vector<uint32_t>(items_.size())};
   for (size_t i = 0; i < items_.size(); ++i) {
     const Item& item = items_[i];
@@ -312,10 +319,29 @@ std::optional<ReplacedCall::Bound> ReplacedCall::Bind(const HostRequest& request
     if (argument == nullptr) return std::nullopt;
     const bool value = by_value || item.kind == Kind::kValue;
     if (argument->kind != (value ? HostArgument::Kind::kValue : HostArgument::Kind::kMemory)) return std::nullopt;
+    if (!value && argument->bytes < BytesFor(item.width)) return std::nullopt;
     bound.values[i] = argument->value;
     bound.slots[i] = argument->slot;
   }
+  if (!AreApart(bound)) return std::nullopt;
   return bound;
+}
+
+/// It was proved with an object of its own for each reference, none of them in State.
+bool ReplacedCall::AreApart(const Bound& bound) const {
+  const auto is_reference = [&](size_t i) { return items_[i].kind == Kind::kReference && !bound.values[i].valid(); };
+  const auto overlap = [&](size_t i, size_t j) {
+    return bound.slots[i] < bound.slots[j] + BytesFor(items_[j].width) &&
+           bound.slots[j] < bound.slots[i] + BytesFor(items_[i].width);
+  };
+  for (size_t i = 0; i < items_.size(); ++i) {
+    if (!is_reference(i)) continue;
+    if (bound.slots[i] < image_.size() + cells_.CallCells()) return false;
+    for (size_t j = 0; j < i; ++j) {
+      if (is_reference(j) && (items_[i].written || items_[j].written) && overlap(i, j)) return false;
+    }
+  }
+  return true;
 }
 
 /// What holds a bit must be 0 or 1 there.

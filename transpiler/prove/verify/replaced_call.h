@@ -107,7 +107,9 @@ class ReplacedCall {
   };
 
   void AddItems(Passes passes);
+  /// None: it is called otherwise than it was proved, with State and host, and references to whole objects apart.
   std::optional<Bound> Bind(const HostRequest& request) const;
+  bool AreApart(const Bound& bound) const;
   terms::TermId ReadCode(terms::Terms& terms, CodeMemory& memory, const Item& item, uint32_t slot) const;
   terms::TermId CheckedBit(terms::Terms& terms, CodeMemory& memory, terms::TermId byte) const;
   /// What a call leaves: where `found` is valid, that may be what stood there.
@@ -125,6 +127,7 @@ class ReplacedCall {
   const StateImage& image_;
   const Unit& unit_;
   std::vector<std::string> parameters_;  // as the source declares them
+  Passes passes_;
   std::optional<NumberRange> result_;
   std::vector<Item> items_;
   bool opaque_ = false;

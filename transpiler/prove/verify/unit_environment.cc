@@ -11,7 +11,8 @@ terms::TermId UnitEnvironment::CallControl(CodeMemory& memory, const HostRequest
     std::vector<HostArgument> arguments = {{.kind = HostArgument::Kind::kHost, .value = {}, .name = {}}};
     const ir::HostFunction& called = program_.ir.host_functions[host->second];
     if (called.access != ir::HostAccess::kNone)
-      arguments.push_back({.kind = HostArgument::Kind::kMemory, .value = {}, .slot = 0, .name = {}});
+      arguments.push_back(
+          {.kind = HostArgument::Kind::kMemory, .value = {}, .slot = 0, .bytes = program_.image.size(), .name = {}});
     arguments.insert(arguments.end(), request.arguments.begin(), request.arguments.end());
     return HostEnvironment::CallHost(
         memory, {.function = function, .arguments = arguments, .result_width = request.result_width}, refusal);

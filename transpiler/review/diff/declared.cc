@@ -12,15 +12,29 @@
 namespace plcxx::review::diff {
 namespace {
 
-/// What is declared under a name, in words.
-using Declarations = std::vector<std::pair<std::string, std::string>>;
+/// What is declared under a name.
+struct Declaration {
+  std::string name;
+  std::string text;  // in words
+  std::string is;    // the same in both versions where they mean the same; empty: the text is
+  const std::string& identity() const { return is.empty() ? text : is; }
+};
+using Declarations = std::vector<Declaration>;
 
 std::string YesOrNo(bool value) { return value ? "yes" : "no"; }
 
 std::string Ms(uint32_t ms) { return std::to_string(ms) + " ms"; }
 
-std::string NameOf(const ir::Program& program, ir::PlaceId place) {
-  return place.valid() ? program.places[place].name : "none";
+/// A place is known by its name where the program lays out memory, and by its address where the control does.
+Declaration PlaceOf(const ir::Program& program, const std::string& what, ir::PlaceId id) {
+  if (!id.valid()) return {.name = what, .text = "none", .is = {}};
+  const ir::Place& place = program.places[id];
+  const bool has_address = place.space.valid() && program.spaces[place.space].host_visible;
+  return {.name = what,
+          .text = place.name,
+          .is = has_address ? program.spaces[place.space].name + "+" + std::to_string(place.offset) + "." +
+                                  std::to_string(place.bit) + ":" + std::string(ir::Name(place.type))
+                            : std::string()};
 }
 
 /// Every member of ir::Schedule but the routines, whose behaviour is compared, the names of host functions, and what
@@ -36,10 +50,10 @@ Declarations ScheduleOf(const ir::Program& program) {
       {"time that passes between periods is followed", YesOrNo(schedule.elapse.valid())},
       {"each millisecond is followed", YesOrNo(schedule.elapses_every_ms)},
       {"most periods of one part", std::to_string(schedule.most_periods)},
-      {"counts slow parts", NameOf(program, schedule.slow_done)},
-      {"counts fast parts", NameOf(program, schedule.fast_done)},
+      PlaceOf(program, "counts slow parts", schedule.slow_done),
+      PlaceOf(program, "counts fast parts", schedule.fast_done),
       {"memory is kept without power", YesOrNo(schedule.retention)},
-      {"memory is kept where this is 1", NameOf(program, schedule.retain_at_power_off)},
+      PlaceOf(program, "memory is kept where this is 1", schedule.retain_at_power_off),
   };
   for (const ir::Routine& routine : program.routines) {
     if (routine.kind == ir::RoutineKind::kSlow || routine.sliced)
@@ -67,8 +81,8 @@ Declarations MessageBitsOf(const ir::Program& program) {
                               std::to_string(bits.offset));
   }
   for (size_t i = 0; i < program.message_words.size(); ++i) {
-    declared.emplace_back("number of a message " + std::to_string(i + 1),
-                          NameOf(program, program.message_words[i].place));
+    declared.push_back(
+        PlaceOf(program, "number of a message " + std::to_string(i + 1), program.message_words[i].place));
   }
   return declared;
 }
@@ -102,18 +116,22 @@ void AddChanges(ItemKind kind, const std::string& together, const Declarations& 
     items.push_back({.name = name, .kind = kind, .verdict = ItemVerdict::kDifferent, .changed_itself = true});
     items.back().declared = {std::move(old_text), std::move(new_text)};
   };
-  const std::map<std::string, std::string> before(old_declared.begin(), old_declared.end()),
-      after(new_declared.begin(), new_declared.end());
-  for (const auto& [name, text] : old_declared) {
-    const auto now = after.find(name);
+  const auto by_name = [](const Declarations& declared) {
+    std::map<std::string, const Declaration*> found;
+    for (const Declaration& one : declared) found.emplace(one.name, &one);
+    return found;
+  };
+  const auto before = by_name(old_declared), after = by_name(new_declared);
+  for (const Declaration& old_one : old_declared) {
+    const auto now = after.find(old_one.name);
     if (now == after.end()) {
-      add(name, text, "not there");
-    } else if (now->second != text) {
-      add(name, text, now->second);
+      add(old_one.name, old_one.text, "not there");
+    } else if (now->second->identity() != old_one.identity()) {
+      add(old_one.name, old_one.text, now->second->text);
     }
   }
-  for (const auto& [name, text] : new_declared) {
-    if (!before.contains(name)) add(name, "not there", text);
+  for (const Declaration& new_one : new_declared) {
+    if (!before.contains(new_one.name)) add(new_one.name, "not there", new_one.text);
   }
   const size_t count = items.size() - first;
   if (count <= kMostListed) return;

@@ -28,7 +28,7 @@ HostRole RoleOf(const ir::HostFunction& host) {
 }  // namespace
 
 std::vector<CellId> Cells::ChainsOf(ir::HostFunctionId host, bool exchange) const {
-  if (exchange && exchange_calls == ExchangeCalls::kOneByOne) return {OfCalls(host)};
+  if (exchange && exchange_calls == ExchangeCalls::kApart) return {OfCalls(host)};
   switch (roles[host.index]) {
     case HostRole::kExchange:
       return {OfCalls(host)};
@@ -57,10 +57,6 @@ Cells MakeCells(const ir::Program& program, ExchangeCalls exchange_calls) {
   cells.calls = cells.count;
   cells.count += program.host_functions.size() + Cells::kChains;
   for (const ir::HostFunction& host : program.host_functions) cells.roles.push_back(RoleOf(host));
-  for (const ir::Call& call : program.calls) {
-    if (exchange_calls == ExchangeCalls::kByFunction && call.exchange && call.host.valid())
-      cells.roles[call.host.index] = HostRole::kExchange;
-  }
   return cells;
 }
 

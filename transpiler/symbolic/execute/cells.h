@@ -44,10 +44,10 @@ struct Cell {
   CallChain chain{};        // of kCalls without a host function
 };
 
-/// Of a function that the regular exchange calls (ir::Call::exchange), and the program for itself as well.
+/// Calls of the regular exchange (ir::Call::exchange).
 enum class ExchangeCalls : uint8_t {
-  kByFunction,  // all its calls are taken for part of the exchange: C++ does not tell one from the other
-  kOneByOne     // only those are that say so
+  kAsOthers,  // in the order of all calls: C++ does not tell one from the other
+  kApart      // no events
 };
 
 struct Cells {
@@ -60,7 +60,7 @@ struct Cells {
   uint32_t calls = 0;            // cell of host function 0
   uint32_t count = 0;
   std::vector<HostRole> roles;  // by HostFunctionId
-  ExchangeCalls exchange_calls = ExchangeCalls::kByFunction;
+  ExchangeCalls exchange_calls = ExchangeCalls::kAsOthers;
 
   CellId OfBit(ir::SpaceId space, uint32_t offset, uint8_t bit) const {
     return CellId(spaces[space.index] + 8 * offset + bit);
@@ -78,7 +78,7 @@ struct Cells {
   uint32_t CallCells() const { return count - calls; }
 };
 
-Cells MakeCells(const ir::Program& program, ExchangeCalls exchange_calls = ExchangeCalls::kByFunction);
+Cells MakeCells(const ir::Program& program, ExchangeCalls exchange_calls = ExchangeCalls::kAsOthers);
 Cell CellAt(const ir::Program& program, const Cells& cells, CellId id);
 /// Bits of the cell's value.
 uint8_t CellWidth(const ir::Program& program, const Cell& cell);

@@ -1,8 +1,8 @@
 #include "transpiler/prove/verify/llvm_ir/execution.h"
 
-#include <llvm/Demangle/Demangle.h>
-
 #include <utility>
+
+#include "transpiler/prove/verify/llvm_ir/function_name.h"
 
 namespace plcxx::prove::verify::llvm_ir {
 namespace {
@@ -25,10 +25,7 @@ const FlowLevel* FlowCache::Of(const llvm::Function& function) {
 
 const std::string& FlowCache::NameOf(const llvm::Function& function) {
   std::string& name = names_[&function];
-  if (name.empty()) {
-    const std::string text = llvm::demangle(function.getName());
-    name = text.substr(0, text.find('('));
-  }
+  if (name.empty()) name = NameInSource(function.getName().str());
   return name;
 }
 

@@ -28,7 +28,9 @@ HostArgument HostCalls::ArgumentOf(const CodeValue& value) {
   if (object.kind == ObjectKind::kHost && offset == 0) return {.kind = HostArgument::Kind::kHost};
   const bool is_memory = object.kind == ObjectKind::kState || object.kind == ObjectKind::kLocal;
   if (!is_memory || offset >= object.bytes) return {.kind = HostArgument::Kind::kUnknownPointer};
-  return {.kind = HostArgument::Kind::kMemory, .slot = object.first_slot + static_cast<uint32_t>(offset)};
+  return {.kind = HostArgument::Kind::kMemory,
+          .slot = object.first_slot + static_cast<uint32_t>(offset),
+          .bytes = object.bytes - offset};
 }
 
 CodeValue HostCalls::Call(const llvm::CallInst& call, const llvm::Function& callee, const std::string& name) {
@@ -41,6 +43,8 @@ CodeValue HostCalls::Call(const llvm::CallInst& call, const llvm::Function& call
     if (number < callee.arg_size()) poison_.RequireArgument(call, *callee.getArg(number), value);
     arguments.push_back(ArgumentOf(value));
     arguments.back().name = parameter;
+    arguments.back().is_unused =
+        !callee.isDeclaration() && number < callee.arg_size() && callee.getArg(number)->use_empty();
   }
   const uint8_t width = type.isVoidTy() ? uint8_t{0} : WidthOf(type);
   if (type.isPointerTy() || type.isStructTy()) Refuse("a call of " + name + ", which returns no number");

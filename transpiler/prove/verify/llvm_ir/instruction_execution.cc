@@ -209,8 +209,10 @@ CodeValue InstructionExecution::Call(const llvm::CallInst& call) {
     return values_.AnyResult(*call.getType());
   }
   for (const llvm::Use& argument : call.args()) {
-    if (IsSupported(*argument->getType())) continue;
-    Refuse("instruction 'call' with an argument that is too wide");
+    const bool is_copied = call.isPassPointeeByValueArgument(call.getArgOperandNo(&argument));
+    if (IsSupported(*argument->getType()) && !is_copied) continue;
+    Refuse(is_copied ? "instruction 'call' that copies an argument's object"
+                     : "instruction 'call' with an argument that is too wide");
     return values_.AnyResult(*call.getType());
   }
   const std::string& name = now_.flows.NameOf(*callee);

@@ -9,6 +9,7 @@
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
 
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -35,13 +36,19 @@ class Code : public CompiledCode {
     for (llvm::Function& function : *module_) {
       if (function.isDeclaration()) continue;
       CloseLoops(function);
-      functions_.emplace(flows_.NameOf(function), &function);
+      const std::string& name = flows_.NameOf(function);
+      if (!functions_.emplace(name, &function).second) ambiguous_.insert(name);
     }
+    // Which of them is meant by its name nobody knows: calls lead to each, and are followed.
+    for (const std::string& name : ambiguous_) functions_.erase(name);
   }
 
   CodeOutcome Execute(terms::Terms& terms, CodeEnvironment& environment, const CodeRun& run) override {
     const auto found = functions_.find(run.function);
-    if (found == functions_.end()) return {.refusal = "the code has no function " + run.function};
+    if (found == functions_.end()) {
+      const bool several = ambiguous_.contains(run.function);
+      return {.refusal = (several ? "the code has several functions " : "the code has no function ") + run.function};
+    }
     return Executor(*module_, flows_, terms, environment, run).Run(*found->second);
   }
 
@@ -82,9 +89,22 @@ class Code : public CompiledCode {
  private:
   std::unique_ptr<llvm::LLVMContext> context_;
   std::unique_ptr<llvm::Module> module_;
-  std::unordered_map<std::string, const llvm::Function*> functions_;  // looked up only
+  std::unordered_map<std::string, const llvm::Function*> functions_;  // by name in C++; looked up only
+  std::set<std::string> ambiguous_;                                   // names that several have
   FlowCache flows_;
 };
+
+/// What is executed outside of the functions that are compared; empty: nothing.
+std::string OutsideOfFunctions(const llvm::Module& module) {
+  if (!module.getModuleInlineAsm().empty()) return "assembler outside of functions";
+  for (const char* const list : {"llvm.global_ctors", "llvm.global_dtors"}) {
+    const llvm::GlobalVariable* functions = module.getGlobalVariable(list);
+    if (functions != nullptr && !functions->getValueType()->isEmptyTy() &&
+        !(functions->hasInitializer() && functions->getInitializer()->isNullValue()))
+      return "functions that run before or after the program's (" + std::string(list) + ")";
+  }
+  return {};
+}
 
 /// `source`: what is done with code of the sources' language; none: with generated code.
 std::unique_ptr<CompiledCode> ReadBitcode(std::span<const std::string> bitcode, const SourceCode* source,
@@ -95,6 +115,10 @@ std::unique_ptr<CompiledCode> ReadBitcode(std::span<const std::string> bitcode, 
     auto module = llvm::parseBitcodeFile(llvm::MemoryBufferRef(bytes, "generated code"), *context);
     if (!module) {
       reason = "the compiler's bitcode cannot be read: " + llvm::toString(module.takeError());
+      return nullptr;
+    }
+    if (const std::string outside = OutsideOfFunctions(**module); !outside.empty()) {
+      reason = "the code has " + outside;
       return nullptr;
     }
     if (all == nullptr) {

@@ -38,7 +38,10 @@ class Adapter {
       if (!function.isDeclaration()) Adapt(function);
     }
     for (llvm::Function& function : module_) {
-      if (!function.isIntrinsic()) function.setName(source_.prefix + function.getName());
+      if (function.isIntrinsic()) continue;
+      function.setName(source_.prefix + function.getName());
+      // Callers copy now.
+      for (unsigned i = 0; i < function.arg_size(); ++i) function.removeParamAttr(i, llvm::Attribute::ByVal);
     }
   }
 

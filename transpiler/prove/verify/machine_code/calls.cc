@@ -40,7 +40,8 @@ class Arguments {
     stack_ += left * word / 8;
     return location;
   }
-  uint64_t stack_bytes() const {
+  uint64_t stack_bytes() const { return stack_; }
+  uint64_t aligned_stack_bytes() const {
     return (stack_ + convention_.stack_align - 1) / convention_.stack_align * convention_.stack_align;
   }
 
@@ -76,7 +77,15 @@ llvm::Function& Program::Declared(const std::string& symbol, const Signature& si
 /// The function as C++ calls it, around the one of machine code.
 void Program::AddWrapper(uint32_t number, const Signature& signature) {
   llvm::Function& wrapper = Declared(objects_.functions()[number].symbol, signature);
-  if (!wrapper.isDeclaration()) return;  // another file has it, too
+  if (!wrapper.isDeclaration()) {
+    // Another file has it, too: an inline function, or one of its own.
+    const auto first = wrapped_.find(wrapper.getName().str());
+    if (objects_.AreAlike(objects_.functions()[first->second], objects_.functions()[number])) return;
+    Builder build(&wrapper.getEntryBlock(), wrapper.getEntryBlock().begin());
+    CallRefusal(build, "several functions " + llvm::demangle(objects_.functions()[number].symbol));
+    return;
+  }
+  wrapped_.emplace(wrapper.getName().str(), number);
   Builder build(llvm::BasicBlock::Create(context_, "entry", &wrapper));
   llvm::IntegerType* word = build.getIntNTy(convention_.bits);
   const auto number_of = [&](uint64_t value) { return llvm::ConstantInt::get(word, value); };
@@ -92,7 +101,7 @@ void Program::AddWrapper(uint32_t number, const Signature& signature) {
   for (const SignatureParameter& parameter : signature.parameters)
     locations.push_back(arguments.Next(parameter.width == 0 ? convention_.bits : parameter.width));
   llvm::Value* top =
-      build.CreateAdd(build.CreatePtrToInt(stack, word), number_of(kStackBytes - arguments.stack_bytes()));
+      build.CreateAdd(build.CreatePtrToInt(stack, word), number_of(kStackBytes - arguments.aligned_stack_bytes()));
   registers[convention_.stack] = top;
   for (unsigned i = 0; i < locations.size(); ++i) {
     llvm::Value* value = wrapper.getArg(i);
@@ -145,6 +154,8 @@ void FunctionLifter::CallSignature(const Signature& signature, const std::string
   }
   llvm::Value* result = builder_.CreateCall(&callee, arguments);
   ForgetAfterCall(defined);
+  // What it gets on the stack is its own.
+  ForgetBelowStack(places.stack_bytes());
   if (signature.result_width == 0) return;
   const std::vector<llvm::Value*> words = program_.Split(builder_, result);
   for (size_t i = 0; i < words.size(); ++i) Set(convention.results[i], words[i]);

@@ -132,16 +132,14 @@ llvm::Value* FunctionLifter::Divide(llvm::Value* a, llvm::Value* b, llvm::Instru
   return builder_.CreateSelect(is_zero, by_zero, builder_.CreateBinOp(operation, a, by));
 }
 
-void FunctionLifter::ForgetBelowStack() {
+void FunctionLifter::ForgetBelowStack(uint64_t above) {
   llvm::FunctionType* type = llvm::FunctionType::get(builder_.getVoidTy(), {Word()}, false);
-  builder_.CreateCall(program_.module().getOrInsertFunction(llvm_ir::kForgetBelow, type),
-                      {Get(program_.convention().stack)});
+  llvm::Value* end = Get(program_.convention().stack);
+  if (above != 0) end = builder_.CreateAdd(end, Number(above));
+  builder_.CreateCall(program_.module().getOrInsertFunction(llvm_ir::kForgetBelow, type), {end});
 }
 
-void FunctionLifter::Refuse(const std::string& what) {
-  llvm::FunctionType* type = llvm::FunctionType::get(builder_.getVoidTy(), false);
-  builder_.CreateCall(program_.module().getOrInsertFunction(std::string(llvm_ir::kRefusal) + what, type));
-}
+void FunctionLifter::Refuse(const std::string& what) { program_.CallRefusal(builder_, what); }
 
 void FunctionLifter::BranchIf(llvm::Value* condition, uint64_t target) {
   llvm::BasicBlock* next = BlockAt(current_->address + current_->bytes);

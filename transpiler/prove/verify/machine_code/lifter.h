@@ -113,8 +113,9 @@ class FunctionLifter {
  private:
   void FindBlocks();
   bool HasOpenNote() const;
-  /// Interrupts and callees write below the stack pointer.
-  void ForgetBelowStack();
+  /// Interrupts and callees write below the stack pointer; callees also into what they are given, so many bytes
+  /// above it.
+  void ForgetBelowStack(uint64_t above = 0);
   llvm::BasicBlock* BlockAt(uint64_t address);
   void CallSignature(const Signature& signature, const std::string& symbol, std::optional<uint32_t> defined);
   void CallLifted(llvm::Function& callee);
@@ -152,6 +153,8 @@ class Program {
   llvm::Function& Lifted(uint32_t function) { return *lifted_[function]; }
   const Signature* SignatureOf(const std::string& symbol) const;
   llvm::Function& Declared(const std::string& symbol, const Signature& signature);
+  /// What comes there is refused.
+  void CallRefusal(Builder& build, const std::string& what);
   llvm::GlobalVariable& ConstantsOf(uint32_t section);
   llvm::GlobalVariable& PartOf(AddressPart part, const Place& place);
   /// In order, without the constants among them; empty: there are bytes that are no instruction.
@@ -173,6 +176,7 @@ class Program {
   compile::audit::MachineCode& machine_;
   const Convention& convention_;
   std::unordered_map<std::string, const Signature*> signatures_;  // by name in C++; looked up only
+  std::unordered_map<std::string, uint32_t> wrapped_;             // by symbol; looked up only
   std::unique_ptr<llvm::Module> module_;
   std::vector<llvm::Function*> lifted_;                         // by function
   std::vector<std::vector<bool>> writes_;                       // by function and register

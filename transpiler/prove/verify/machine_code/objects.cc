@@ -128,7 +128,17 @@ bool Objects::Read(std::span<const std::string> files, std::string& reason) {
   return !files_.empty();
 }
 
-/// Bytes, and what the linker will write into them.
+const Section* Objects::RunsByItself() const {
+  constexpr llvm::StringRef kNames[] = {".init", ".fini", ".preinit_array", ".ctors", ".dtors"};
+  const auto runs = [&](const Section& section) {
+    const llvm::StringRef name = section.name;
+    return !section.bytes.empty() &&
+           std::ranges::any_of(kNames, [&](llvm::StringRef one) { return name.starts_with(one); });
+  };
+  const auto found = std::ranges::find_if(sections_, runs);
+  return found == sections_.end() ? nullptr : &*found;
+}
+
 bool Objects::AreAlike(const Function& a, const Function& b) const {
   const Section &in_a = sections_[a.place.section], &in_b = sections_[b.place.section];
   if (a.bytes != b.bytes || in_a.bytes.substr(a.place.offset, a.bytes) != in_b.bytes.substr(b.place.offset, b.bytes))

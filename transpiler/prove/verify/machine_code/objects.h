@@ -63,9 +63,12 @@ class Objects {
   /// The function that a link leads to, in whichever file; none: it is the host's or a library's, or files have
   /// different ones of this name.
   std::optional<uint32_t> FunctionOf(const Link& link) const;
+  /// Of the same bytes, and of the same that the linker will write into them.
+  bool AreAlike(const Function& a, const Function& b) const;
+  /// A section whose code or addresses are executed without a call; none.
+  const Section* RunsByItself() const;
 
  private:
-  bool AreAlike(const Function& a, const Function& b) const;
   bool ReadFile(llvm::MemoryBufferRef file, std::string& reason);
   bool ReadObject(llvm::MemoryBufferRef file, std::string& reason);
   void ReadSections(const llvm::object::ELFObjectFileBase& file, std::unordered_map<uint64_t, uint32_t>& section_of);

@@ -1,9 +1,10 @@
 // All functions of a program: what is lifted, and around what.
-#include <llvm/Demangle/Demangle.h>
 #include <llvm/MC/MCInstrDesc.h>
 
 #include <utility>
 
+#include "transpiler/prove/verify/llvm_ir/function_name.h"
+#include "transpiler/prove/verify/llvm_ir/refusal.h"
 #include "transpiler/prove/verify/machine_code/lifter.h"
 
 namespace plcxx::prove::verify::machine_code {
@@ -26,8 +27,7 @@ llvm::FunctionType* Program::LiftedType() const {
 const Signature* Program::SignatureOf(const std::string& symbol) const {
   // What the compiler has split off or specialised is another function than the one that was declared.
   if (symbol.find('.') != std::string::npos) return nullptr;
-  const std::string text = llvm::demangle(symbol);
-  const auto found = signatures_.find(text.substr(0, text.find('(')));
+  const auto found = signatures_.find(llvm_ir::NameInSource(symbol));
   return found == signatures_.end() ? nullptr : found->second;
 }
 
@@ -73,6 +73,11 @@ llvm::Value* Program::Join(Builder& build, std::span<llvm::Value* const> words, 
   if (width <= convention_.bits) return width < convention_.bits ? build.CreateTrunc(words[0], type) : words[0];
   llvm::Value* high = build.CreateShl(build.CreateZExt(words[1], type), convention_.bits);
   return build.CreateOr(high, build.CreateZExt(words[0], type));
+}
+
+void Program::CallRefusal(Builder& build, const std::string& what) {
+  llvm::FunctionType* type = llvm::FunctionType::get(build.getVoidTy(), false);
+  build.CreateCall(module_->getOrInsertFunction(std::string(llvm_ir::kRefusal) + what, type));
 }
 
 void Program::Decode() {

@@ -14,6 +14,10 @@ namespace {
 std::unique_ptr<CompiledCode> ReadObjects(const ObjectCodeRequest& request, std::string& reason) {
   Objects objects;
   if (!objects.Read(request.objects, reason)) return nullptr;
+  if (const Section* section = objects.RunsByItself()) {
+    reason = "the code has functions that run before or after the program's (" + section->name + ")";
+    return nullptr;
+  }
   const auto machine = compile::audit::MachineCode::Make(objects.first(), request.processor, reason);
   if (machine == nullptr) return nullptr;
   const bool known = machine->is_arm() || (machine->is_riscv() && !objects.first().is64Bit());
