@@ -285,6 +285,15 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
   const Locations locations = LocationsOf(old_side, new_side, diff, options);
   const ir::Schedule& schedule = old_side.compilation.program.schedule;
   const bool has_fast = schedule.fast_only.valid() && schedule.fast_only != schedule.period;
+  // Where parts are counted otherwise, as many of them are not as many periods.
+  const auto is_alike = [&](ir::PlaceId counter) {
+    if (!counter.valid()) return true;
+    const ir::Place& place = old_side.compilation.program.places[counter];
+    return std::ranges::any_of(locations.equal, [&place](const Compared& equal) {
+      return equal.old_place.space == place.space && equal.old_place.offset == place.offset;
+    });
+  };
+  const bool slow_is_alike = is_alike(schedule.slow_done), fast_is_alike = is_alike(schedule.fast_done);
   const std::vector<std::string> texts = TextsOf(old_side, new_side);
   for (int run = 0; run < runs.runs; ++run) {
     // The simulated control answers what it sees, so it goes with programs that are equal in everything.
@@ -349,10 +358,12 @@ std::optional<std::string> SeenToDiffer(const DiffSide& old_side, const DiffSide
           clock.RunMs(schedule.period_ms * length);
         } else if (what < 11 && waited_ms < most_waited_ms) {
           clock.RunMs(137 * length);
-        } else if (what < 14 && has_fast) {
+        } else if (what < 14 && has_fast && fast_is_alike) {
           clock.RunFast(1);
-        } else {
+        } else if (slow_is_alike) {
           clock.RunSlow(1);
+        } else {
+          clock.RunMs(schedule.period_ms);
         }
       }
       if (8 <= what && what < 11) waited_ms += 137 * length;

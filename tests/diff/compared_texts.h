@@ -17,7 +17,7 @@ struct Language {
   std::string dialect, extension;
 };
 inline const Language kTechnol{"technol", ".plc"}, kHost50{"host50", ".il"}, kNc110{"nc110", ".plc"},
-    kClassicladder{"classicladder", ".clp"}, kProstep{"prostep", ".plc"};
+    kClassicladder{"classicladder", ".clp"}, kProstep{"prostep", ".plc"}, kHnc{"hnc", ".cld"};
 
 inline Diff ComparedTexts(const Language& language, const std::string& old_text, const std::string& new_text,
                           const DiffOptions& options = {}) {

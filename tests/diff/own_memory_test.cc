@@ -77,5 +77,98 @@ TEST(OwnMemory, WhatIsKeptAtAnotherMoment) {
   ExpectListed(CompareSides(old_side, new_side, kSoon), "U1T0");
 }
 
+TEST(OwnMemory, WhatIsBetweenTheElementsOfAnIndex) {
+  const std::string program = R"(#include "plc.h"
+struct { int a; int b; } T[10];
+int K;
+void init() { plc1_time = 8; plc2_time = 16; }
+void plc1() {}
+void plc2() {
+  if (K >= 0 && K < 10) T[K].a = X[1];
+  Y[0] = @;
+}
+)";
+  ExpectListed(ComparedTexts(kHnc, With(program, "T[3].b"), With(program, "0"), kSoon), "Y[0]");
+  ExpectListed(ComparedTexts(kHnc, With(program, "*G[10]"), With(program, "0"), kSoon), "Y[0]");
+}
+
+/// Of a number in EAX one that no search guesses.
+constexpr const char* kHash = R"(        MOV EBX,09E3779B1h
+        MUL EBX
+        MOV EBX,EAX
+        SHR EBX,15
+        XOR EAX,EBX
+        MOV EBX,EAX
+        MUL EBX
+        ADD EAX,EBX
+        MOV EBX,085EBCA77h
+        MUL EBX
+        MOV EBX,EAX
+        SHR EBX,13
+        XOR EAX,EBX
+        MOV EBX,EAX
+        MUL EBX
+        ADD EAX,EBX
+        MOV DWORD PTR X,EAX
+        LOD DWRD.X
+        EQ CNST.0BE2E6BF6h
+)";
+
+TEST(OwnMemory, WhatIsKeptMayBeAnythingBeforeTheFirstPowerOn) {
+  const std::string program = R"(        DATA
+IN0: DFM A
+OUT0: DFM Q
+M: DFM F
+X: DS 4
+        DATA_END
+        MODULE_INIT
+        MOV EAX,DWRD.LABEL_MEM
+)" + std::string(kHash) + R"(        @
+        WR F
+        LOD CNST.12345678h
+        STO DWRD.LABEL_MEM
+        STO DWRD.X
+        MODULE_INIT_END
+        MODULE_MAIN
+        LOD DWRD.LABEL_MEM
+        NE CNST.3
+        LA F
+        LA A
+        WR Q
+        MODULE_MAIN_END
+        STOP
+)";
+  ExpectListed(ComparedTexts(kTechnol, With(program, "NOP"), With(program, "LA -F\n        LA F"), kSoon), "Q");
+}
+
+TEST(OwnMemory, ARequestMayBeTakenBackBetweenTwoParts) {
+  const std::string program = R"(        DATA
+IN0: DFM A
+OUT0: DFM Q
+M: DFM F,G
+X: DS 4
+        DATA_END
+        MODULE_MAIN
+        MOV EAX,DWRD.IN4
+)" + std::string(kHash) + R"(        LA G
+        LA -REQ_CLOSE_ALL
+        @
+        WR Q
+        LDR A
+        FL1 1,REQ_CLOSE_ALL
+        LOD CNST.0
+        STO BYTE.M
+        LOD CNST.00000000h
+        STO DWRD.X
+        MODULE_MAIN_END
+        MODULE_FAST
+        LDR REQ_CLOSE_ALL
+        WR G
+        MODULE_FAST_END
+        STOP
+)";
+  ExpectListed(ComparedTexts(kTechnol, With(program, "NOP"), With(program, "LA -G"), kSoon), "Q");
+}
+
 }  // namespace
 }  // namespace plcxx::review::diff

@@ -140,6 +140,7 @@ class Prove {
     const auto known = scenarios::KnownRuns(request_);
     review::properties::PropertyRuns runs(machine_, known);
     review::properties::CoarseRuns coarse_runs(machine_);
+    options_.slices = machine_.slices;
     options_.try_runs = [&](const prove::properties::RunSearch& search) {
       // Where most periods do nothing, runs are computed in which something happens in each of them.
       prove::properties::RunSearch rest = search;

@@ -29,7 +29,8 @@ struct Execution {
 
 /// Of the state before a part. At power-on relations have to come true: who assumes them there can prove anything of
 /// relations that no state fulfils.
-enum class Known : uint8_t { kInvariants, kInvariantsAndRelations };
+/// Invariants are about memory after power-on: what is kept without power may have been anything before the first one.
+enum class Known : uint8_t { kNothing, kInvariants, kInvariantsAndRelations };
 
 struct Comparison {
   static constexpr uint32_t kNoResult = 0xFFFFFFFF;

@@ -1,11 +1,13 @@
 // From any state in which the set is equal, one more period leaves it equal.
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "transpiler/prove/diff/comparison.h"
 #include "transpiler/prove/machine/inputs.h"
+#include "transpiler/prove/machine/requests.h"
 #include "transpiler/symbolic/terms/cone.h"
 
 namespace plcxx::prove::diff {
@@ -114,6 +116,7 @@ std::vector<execute::CellId> SupportOfUndecided(Comparison& comparison, Which wh
 
 std::vector<terms::TermId> Comparison::KnownConditions(Known known) {
   std::vector<terms::TermId> conditions;
+  if (known == Known::kNothing) return conditions;
   for (const Which which : {Which::kOld, Which::kNew}) {
     const std::unique_ptr<invariants::InvariantFinder>& finder = which == Which::kOld ? old_finder : new_finder;
     if (!finder) continue;
@@ -297,7 +300,8 @@ bool IsSetAlike(const Comparison& comparison, const PairResult& result) {
 }
 
 /// Separates the pairs that differ when power comes; gives the questions about them. None: comparison.refusal says why.
-std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison) {
+/// `known`: of the state when power failed.
+std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison, Known known) {
   comparison.Report("power-on");
   const std::optional<std::array<machine::Transition, 2>> init = ExecutePowerOn(comparison);
   if (!init) return std::nullopt;
@@ -309,7 +313,7 @@ std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison) {
     const solver::TermPair pair{old_init.next[result.old_cell.index], new_init.next[result.new_cell.index]};
     if (comparison.pairing.IsEqual(result.old_cell) && pair.a != pair.b) questions.push_back({pair, i});
   }
-  SeparateFailing(comparison, questions, Known::kInvariants);
+  SeparateFailing(comparison, questions, known);
   std::erase_if(questions, [&comparison](const Question& question) {
     return comparison.pairing.IsEqual(comparison.results[question.result].old_cell);
   });
@@ -319,7 +323,7 @@ std::optional<std::vector<Question>> SeparateAtPowerOn(Comparison& comparison) {
 }  // namespace
 
 bool CheckPowerOn(Comparison& comparison) {
-  const std::optional<std::vector<Question>> differing = SeparateAtPowerOn(comparison);
+  const std::optional<std::vector<Question>> differing = SeparateAtPowerOn(comparison, Known::kNothing);
   if (!differing) return false;
   // What differs from power-on on is induced by nothing.
   for (const Question& question : *differing) comparison.results[question.result].changed_itself = true;
@@ -372,7 +376,7 @@ bool SeparateAfterPowerFailure(Comparison& comparison, uint32_t& separated) {
   if (!machine::HasRetentiveMemory(comparison.old_version) && !machine::HasRetentiveMemory(comparison.new_version))
     return true;
   separated += SeparateStoredOtherwise(comparison);
-  const std::optional<std::vector<Question>> differing = SeparateAtPowerOn(comparison);
+  const std::optional<std::vector<Question>> differing = SeparateAtPowerOn(comparison, Known::kInvariants);
   if (!differing) return false;
   separated += static_cast<uint32_t>(differing->size());
   return true;
@@ -385,16 +389,31 @@ bool DropRelationsAtPowerOn(Comparison& comparison, uint32_t& dropped) {
   if (comparison.relations.empty()) return true;
   const std::optional<std::array<machine::Transition, 2>> init = ExecutePowerOn(comparison);
   if (!init) return false;
-  dropped += DropFailingRelations(comparison, Known::kInvariants, [&](Which which, execute::CellId cell) {
+  dropped += DropFailingRelations(comparison, Known::kNothing, [&](Which which, execute::CellId cell) {
     return (*init)[which == Which::kOld ? 0 : 1].next[cell.index];
   });
   return true;
+}
+
+/// The control may take requests back between two parts, in both versions alike.
+uint32_t DropRelationsWhenTakenBack(Comparison& comparison, const std::array<std::vector<bool>, 2>& requests) {
+  if (comparison.relations.empty()) return 0;
+  return DropFailingRelations(comparison, Known::kInvariantsAndRelations, [&](Which which, execute::CellId cell) {
+    const terms::TermId before = comparison.pairing.Initial(which, cell);
+    if (!requests[which == Which::kOld ? 0 : 1][cell.index]) return before;
+    const execute::CellId old_cell = which == Which::kOld ? cell : comparison.match.old_of_new[cell.index];
+    const std::string name =
+        (old_cell.valid() ? "stays " + std::to_string(old_cell.index) : "new stays " + std::to_string(cell.index));
+    return comparison.terms.And(before, comparison.terms.Variable(name, 1));
+  });
 }
 
 }  // namespace
 
 bool FindInductiveSet(Comparison& comparison, const InductionLimits& induction_limits) {
   const uint32_t most_rounds = induction_limits.most_rounds;
+  const std::array requests{machine::RequestCells(comparison.old_version),
+                            machine::RequestCells(comparison.new_version)};
   comparison.is_inductive = false;
   for (uint32_t round = 1; round <= most_rounds; ++round) {
     uint32_t separated = 0;
@@ -422,6 +441,7 @@ bool FindInductiveSet(Comparison& comparison, const InductionLimits& induction_l
       AddObservations(comparison, [&](execute::CellId calls) { return comparison.pairing.IsEqual(calls); }, questions);
       separated += SeparateFailing(comparison, questions);
     }
+    separated += DropRelationsWhenTakenBack(comparison, requests);
     comparison.is_inductive = separated == 0;
     if (comparison.is_inductive) return true;
     if (comparison.RestMs() <= induction_limits.end_ms) {

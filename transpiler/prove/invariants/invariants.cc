@@ -9,6 +9,7 @@
 
 #include "transpiler/prove/invariants/candidates.h"
 #include "transpiler/prove/invariants/concrete_run.h"
+#include "transpiler/prove/machine/requests.h"
 #include "transpiler/prove/machine/transition.h"
 #include "transpiler/symbolic/solver/bit_solver.h"
 #include "transpiler/symbolic/solver/deadline.h"
@@ -32,7 +33,11 @@ constexpr uint32_t kPowerOnMs = 1000, kAloneMs = 150;  // for one question
 class InvariantFinder::Finder {
  public:
   Finder(terms::Terms& terms, solver::Solver& solver, InvariantSearch search)
-      : terms_(terms), solver_(solver), search_(std::move(search)), version_(search_.version) {}
+      : terms_(terms),
+        solver_(solver),
+        search_(std::move(search)),
+        version_(search_.version),
+        requests_(machine::RequestCells(version_)) {}
 
   void Find(uint64_t milliseconds);
   void GuessAgain();
@@ -49,6 +54,7 @@ class InvariantFinder::Finder {
   bool Late() const { return deadline_.IsOver(); }
   terms::TermId Current(execute::CellId cell);
   terms::TermId Next(const machine::Transition& part, execute::CellId cell);
+  terms::TermId WhenTakenBack(execute::CellId cell);
   /// false: it cannot be executed, or not in time.
   bool ExecuteParts();
   /// The state cells on which the next values of those of interest depend; all of them at last, closed under this.
@@ -82,6 +88,7 @@ class InvariantFinder::Finder {
   solver::Solver& solver_;
   const InvariantSearch search_;
   const machine::Version& version_;
+  std::vector<bool> requests_;  // by CellId
   std::map<execute::CellId, terms::TermId> current_;
   std::vector<machine::Transition> parts_;  // the fast part alone, then the period
   machine::Transition init_;
@@ -111,6 +118,14 @@ terms::TermId InvariantFinder::Finder::Current(execute::CellId cell) {
                            execute::CellWidth(*version_.program, what));
   }
   return term;
+}
+
+/// Requests may be taken back by the control between two parts.
+terms::TermId InvariantFinder::Finder::WhenTakenBack(execute::CellId cell) {
+  const terms::TermId before = Current(cell);
+  if (!requests_[cell.index]) return before;
+  const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
+  return terms_.And(before, terms_.Variable("alone stays " + execute::CellName(*version_.program, what), 1));
 }
 
 terms::TermId InvariantFinder::Finder::Next(const machine::Transition& part, execute::CellId cell) {
@@ -286,7 +301,10 @@ void InvariantFinder::Finder::MakeGuesses() {
       const terms::TermId holds = ConditionOf(terms_, guess, [&](execute::CellId cell) { return Next(part, cell); });
       fails = terms_.Or(fails, terms_.Not(holds));
     }
+    const terms::TermId stays =
+        ConditionOf(terms_, guess, [this](execute::CellId cell) { return WhenTakenBack(cell); });
     const terms::TermId holds = ConditionOf(terms_, guess, current);
+    if (stays != holds) fails = terms_.Or(fails, terms_.Not(stays));
     (guess.kind == Invariant::Kind::kNoneOf ? pairs_ : untried_)
         .push_back({.invariant = std::move(guess), .holds = holds, .fails = fails});
   }

@@ -12,7 +12,7 @@ bool IsInbox(const Version& version, execute::CellId id) {
 
 std::vector<bool> InputsOf(const Version& version) {
   const ir::Program& program = *version.program;
-  const std::vector<bool> own = SetCells(version, WideElements::kMayBeOthers);
+  const std::vector<bool> own = SetCells(version);
   std::vector<bool> inputs(version.cells.count);
   for (uint32_t i = 0; i < version.cells.calls; ++i) {
     const execute::CellId id(i);

@@ -73,8 +73,8 @@ Stored WhatIsStored(const ir::Program& program, const ir::Place& place, ir::Inst
 /// A part of a word that stands anywhere in the space begins or ends a byte beside its end.
 constexpr uint32_t kBesideEnd = 1;
 
-bool ReachesWholeSpace(const ir::Program& program, const ir::Place& place, WideElements elements) {
-  if (elements == WideElements::kAreOwn && place.stride > 1) return false;
+/// From one end to the other, if not each byte: who indexes so says nothing of where it writes.
+bool ReachesWholeSpace(const ir::Program& program, const ir::Place& place) {
   return !place.is_field() && place.indexed && place.low <= kBesideEnd &&
          place.high + kBesideEnd >= program.spaces[place.space].bytes;
 }
@@ -138,7 +138,7 @@ bool MayBeSetByOthers(const Version& version, execute::CellId id) {
   return !PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
 }
 
-std::vector<bool> SetCells(const Version& version, WideElements elements) {
+std::vector<bool> SetCells(const Version& version) {
   const ir::Program& program = *version.program;
   std::vector<bool> set(version.cells.count), stored(version.cells.count);
   const std::vector<bool> is_scheduled = ScheduledRegions(program);
@@ -148,7 +148,7 @@ std::vector<bool> SetCells(const Version& version, WideElements elements) {
       const ir::Inst& inst = program[id];
       const auto on_place = [&](ir::PlaceId written, ir::Access access) {
         const ir::Place& place = program.places[written];
-        if (access == ir::Access::kRead || ReachesWholeSpace(program, place, elements)) return;
+        if (access == ir::Access::kRead || ReachesWholeSpace(program, place)) return;
         for (const execute::CellId cell : execute::TouchedCells(program, version.cells, place))
           stored[cell.index] = true;
         for (const execute::CellId cell : CellsThatMayBeSet(version, inst, written)) set[cell.index] = true;

@@ -22,13 +22,9 @@ std::vector<execute::CellId> CellsThatMayBeSet(const Version& version, const ir:
 /// Outputs and signals to the control are the program's, as the control's manual says who else writes them.
 bool MayBeSetByOthers(const Version& version, execute::CellId cell);
 
-/// Whose the elements are that an index with a stride of more than a byte may reach anywhere in a space.
-enum class WideElements : uint8_t { kAreOwn, kMayBeOthers };
-
 /// By cell: what the schedule, and all that it calls, sets; what it only takes back is set where nobody else may set
 /// it. An index that may reach all of a space may reach signals of the host there, and says nothing about them.
-/// `elements`: whether those of a greater stride than a byte are the program's own all the same.
-std::vector<bool> SetCells(const Version& version, WideElements elements);
+std::vector<bool> SetCells(const Version& version);
 
 /// Whether a cell is memory that the host may write, no matter what the program does with it.
 bool MayBeSetByHost(const Version& version, execute::CellId cell);

@@ -25,6 +25,14 @@ terms::TermId Chosen(const terms::Terms& terms, const terms::Term& term, terms::
   return terms::TermId(is_first ? term.a : term.b);
 }
 
+/// Before power-on nobody has been called, and a copy of the retentive memory would be as the program says.
+terms::TermId NothingStored(terms::Terms& terms, const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  const bool value =
+      cell.kind == execute::CellKind::kBit && PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
+  return terms.Const(value ? 1 : 0, execute::CellWidth(*version.program, cell));
+}
+
 /// Before power-on nobody has been called, and the host may have any copy of the retentive memory.
 terms::TermId StoredBefore(terms::Terms& terms, const Version& version, execute::CellId id) {
   const ir::Program& program = *version.program;
@@ -58,9 +66,13 @@ Unrolled::Unrolled(terms::Terms& terms, const Relation& relation, const std::vec
     return;
   }
   Transition init = RunInit(terms, version_,
-                            {.initial = [&](execute::CellId cell) { return StoredBefore(terms, version_, cell); },
+                            {.initial =
+                                 [&](execute::CellId cell) {
+                                   return start == Start::kAnyRetentive ? StoredBefore(terms, version_, cell)
+                                                                        : NothingStored(terms, version_, cell);
+                                 },
                              .now = terms.Const(0, 32),
-                             .answers = start == Start::kAnyRetentive ? HostAnswers::kAny : HostAnswers::kNothing,
+                             .answers = start == Start::kPowerOn ? HostAnswers::kNothing : HostAnswers::kAny,
                              .observed = {},
                              .host_bit = {}});
   if (refusal_.empty()) refusal_ = std::move(init.refusal);
@@ -110,7 +122,7 @@ terms::TermId Unrolled::TimeAfter(uint32_t period) {
 
 void Unrolled::Advance() {
   inputs_of_.emplace_back(part_count());
-  takes_back_.emplace_back();
+  takes_back_.emplace_back(part_count());
   known_.resize(known_.size() + StepsOfPeriod());
 }
 
@@ -132,12 +144,12 @@ bool Unrolled::IsFresh(execute::CellId cell, const Step& step) const {
 }
 
 void Unrolled::AddTakingBack(execute::CellId cell, const Step& step, terms::TermId& stays) {
-  if (taken_back.empty() || !taken_back[cell.index] || !step.has_new_inputs || step.part != 0) return;
-  terms::TermId& done = takes_back_[step.period][cell];
+  if (taken_back.empty() || !taken_back[cell.index] || !step.has_new_inputs) return;
+  terms::TermId& done = takes_back_[step.period][step.part][cell];
   if (!done.valid()) {
     const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
-    done = terms_.Variable(
-        name_ + " takes back " + std::to_string(step.period) + " " + execute::CellName(*version_.program, what), 1);
+    const std::string when = std::to_string(step.period) + (step.part == 0 ? "" : "." + std::to_string(step.part));
+    done = terms_.Variable(name_ + " takes back " + when + " " + execute::CellName(*version_.program, what), 1);
   }
   stays = stays.valid() ? terms_.And(stays, terms_.Not(done)) : terms_.Not(done);
 }

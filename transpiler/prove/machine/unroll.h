@@ -22,9 +22,10 @@
 namespace plcxx::prove::machine {
 
 enum class Start : uint8_t {
-  kPowerOn,       // all memory as the program says; at power-on the host answers 0
-  kAnyRetentive,  // the same with any retentive memory, and whatever the host answers at power-on
-  kAnywhere       // any state at all, at any time
+  kPowerOn,          // all memory as the program says; at power-on the host answers 0
+  kAnsweredPowerOn,  // the same, whatever the host answers and writes at power-on, but retentive memory
+  kAnyRetentive,     // the same with any retentive memory, too
+  kAnywhere          // any state at all, at any time
 };
 
 class Unrolled {
@@ -50,10 +51,12 @@ class Unrolled {
   /// Parts of each period between which inputs may change.
   uint32_t part_count() const { return fast_parts_ == 0 ? 1 : fast_parts_; }
 
-  /// By cell, before the first Value: bits that the control may take back before a period; empty: none.
+  /// By cell, before the first Value: bits that the control may take back before a part; empty: none.
   std::vector<bool> taken_back;
-  /// By cell: whether it does so before this period, as far as that has been asked for.
-  const Part& takes_back(uint32_t period) const { return takes_back_[period]; }
+  /// By cell: whether it does so before a part of this period, as far as that has been asked for.
+  const std::vector<Part>& takes_back(uint32_t period) const { return takes_back_[period]; }
+  /// By cell, over what the host has answered: the state when power has come; empty: kAnywhere.
+  const std::vector<terms::TermId>& after_power_on() const { return initial_; }
 
   /// Asked now and then while terms are made; true: the time is over, and what Value gives from then on is anything.
   std::function<bool()> late;
@@ -111,7 +114,7 @@ class Unrolled {
   terms::TermId time_;                                              // at the start of kAnywhere
   std::vector<terms::TermId> initial_;                              // by cell; but for kAnywhere
   std::vector<std::vector<Part>> inputs_of_;                        // by period
-  std::vector<Part> takes_back_;                                    // by period
+  std::vector<std::vector<Part>> takes_back_;                       // by period
   std::vector<std::unordered_map<uint32_t, terms::TermId>> known_;  // by step, then by term of the relation
   std::map<execute::CellId, terms::TermId> start_variables_;
   execute::Refusal refusal_;

@@ -64,7 +64,7 @@ Uses UsesOf(const Version& version) {
       }
     }
   }
-  const std::vector<bool> set = SetCells(version, WideElements::kAreOwn);
+  const std::vector<bool> set = SetCells(version);
   for (uint32_t i = 0; i < version.cells.count; ++i) uses.sets[i] = uses.sets[i] || set[i];
   return uses;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "transpiler/prove/machine/answers.h"
@@ -10,6 +12,7 @@
 #include "transpiler/prove/properties/cone.h"
 #include "transpiler/prove/properties/wide_search.h"
 #include "transpiler/symbolic/execute/execute.h"
+#include "transpiler/symbolic/execute/host_writes.h"
 #include "transpiler/symbolic/terms/cone.h"
 
 namespace plcxx::prove::properties {
@@ -55,21 +58,35 @@ PropertyChecker::PropertyChecker(const machine::Version& version, CheckOptions o
   silent_ = std::make_unique<machine::Relation>(terms_, version_, machine::HostAnswers::kNothing);
   if (machine::AnswersMatter(version))
     any_ = std::make_unique<machine::Relation>(terms_, version_, machine::HostAnswers::kAny, silent_.get());
-  const machine::Start start =
-      options_.retentive == RetentiveMemory::kAny ? machine::Start::kAnyRetentive : machine::Start::kPowerOn;
-  plain_ = std::make_unique<machine::Unrolled>(terms_, *silent_, inputs_, start, "run");
-  // Without answers nothing is ever done that the program asks for: as scenarios do it, the bit is taken back.
-  if (any_) plain_->taken_back = requests_;
-  if (any_) answered_ = std::make_unique<machine::Unrolled>(terms_, *any_, inputs_, start, "answered run");
+  const bool any_retentive = options_.retentive == RetentiveMemory::kAny;
+  plain_ = std::make_unique<machine::Unrolled>(
+      terms_, *silent_, inputs_, any_retentive ? machine::Start::kAnyRetentive : machine::Start::kPowerOn, "run");
+  answered_ = std::make_unique<machine::Unrolled>(
+      terms_, Widest(), inputs_, any_retentive ? machine::Start::kAnyRetentive : machine::Start::kAnsweredPowerOn,
+      "answered run");
+  if (!any_ && (any_retentive || !DependsOnPowerOn())) answered_.reset();
   anywhere_ = std::make_unique<machine::Unrolled>(terms_, Widest(), inputs_, machine::Start::kAnywhere, "any");
   for (machine::Unrolled* const unrolled : {plain_.get(), answered_.get(), anywhere_.get()}) {
-    if (unrolled != nullptr) unrolled->late = [this] { return Late(); };
+    if (unrolled == nullptr) continue;
+    unrolled->late = [this] { return Late(); };
+    // Without answers nothing is ever done that the program asks for: as scenarios do it, the bit is taken back. So it
+    // may be between two parts, whatever the control does in them.
+    if (any_) unrolled->taken_back = requests_;
   }
   refusal_ = plain_->refusal();
   if (refusal_.empty()) refusal_ = anywhere_->refusal();
 }
 
 PropertyChecker::~PropertyChecker() = default;
+
+bool PropertyChecker::DependsOnPowerOn() const {
+  const std::vector<terms::TermId>& state = answered_->after_power_on();
+  for (uint32_t i = 0; i < version_.cells.calls && i < state.size(); ++i) {
+    const execute::CellId cell(i);
+    if (!inputs_[i] && machine::IsState(version_, cell) && !terms_.IsConst(state[i])) return true;
+  }
+  return false;
+}
 
 uint32_t PropertyChecker::RestMs() const {
   const auto rest =
@@ -94,9 +111,35 @@ PropertyResult PropertyChecker::Check(const Property& property) {
   if (result.verdict == PropertyVerdict::kViolated) PreferPlanted(property, result);
   // The time may end between two steps.
   if (result.verdict == PropertyVerdict::kUndecided && result.reason.empty()) result.reason = kNoTime;
+  if (result.verdict == PropertyVerdict::kProved && options_.slices > 1 && DependsOnFastPart(property)) {
+    result.verdict = PropertyVerdict::kUndecided;
+    result.reason = "the fast part, on which it depends, runs in each of the " + std::to_string(options_.slices) +
+                    " slices of a slow pass, behind what they have done so far: that is not followed";
+  }
   if (result.verdict == PropertyVerdict::kProved) result.remark = RemarkOn(property);
   if (result.verdict == PropertyVerdict::kViolated) result.remark = RemarkOnOutputs(property);
   return result;
+}
+
+bool PropertyChecker::DependsOnFastPart(const Property& property) {
+  if (!machine::HasFastPart(version_)) return false;
+  machine::Relation& relation = Widest();
+  const machine::Transition fast =
+      machine::RunPart(terms_, version_, machine::Part::kFast,
+                       {.initial = [&relation](execute::CellId cell) { return relation.VariableOf(cell); },
+                        .now = relation.now(),
+                        .observed = {}});
+  if (!fast.refusal.empty()) return true;
+  std::vector<terms::TermId> next;
+  for (const execute::CellId cell : CellsBehind(terms_, relation, OperandCellsOf(property))) {
+    if (!new_each_time_[cell.index] && fast.next[cell.index].valid()) next.push_back(fast.next[cell.index]);
+  }
+  return std::ranges::any_of(terms::ConeOf(terms_, next), [&](terms::TermId id) {
+    if (terms_[id].kind != terms::TermKind::kVariable) return false;
+    const execute::CellId cell = relation.CellOf(id);
+    if (!cell.valid()) return true;  // the time
+    return cell.index < version_.cells.calls && !new_each_time_[cell.index] && machine::IsState(version_, cell);
+  });
 }
 
 std::string PropertyChecker::RemarkOnOutputs(const Property& property) const {
@@ -447,6 +490,39 @@ void PropertyChecker::FindInvariantsAround(const std::vector<execute::CellId>& c
   invariants_ = finder.invariants();
 }
 
+/// What the host has written at power-on, or loaded, where that matters: in a scenario it is set before.
+std::vector<InputValue> PropertyChecker::BeforePowerOn(machine::Unrolled& unrolled, const Cone& cone) {
+  std::vector<InputValue> values = RetentiveOf(cone);
+  const ir::Program& program = *version_.program;
+  std::map<uint32_t, std::pair<ir::SpaceId, uint32_t>> byte_of;  // by function that gives it
+  for (const ir::HostFunction& host : program.host_functions) {
+    for (uint32_t s = 0; s < program.spaces.size(); ++s) {
+      const ir::SpaceId space(s);
+      for (uint32_t offset = 0; offset < program.spaces[space].bytes; ++offset) {
+        if (host.access != ir::HostAccess::kWritesState || execute::BitsMayWrite(program, host, space, offset) == 0)
+          continue;
+        const terms::TermId any =
+            execute::ByteFromHost(terms_, host.name, terms_.Const(0, 64), program.spaces[space].name, offset);
+        byte_of.try_emplace(terms_[any].a, space, offset);
+      }
+    }
+  }
+  std::set<std::pair<ir::SpaceId, uint32_t>> done;
+  for (const terms::TermId id : terms::ConeOf(terms_, unrolled.after_power_on())) {
+    const terms::Term& term = terms_[id];
+    const auto byte = term.kind == terms::TermKind::kApply ? byte_of.find(term.a) : byte_of.end();
+    if (byte == byte_of.end() || !cone.Has(id) || !done.insert(byte->second).second) continue;
+    const auto [space, offset] = byte->second;
+    const uint64_t value = solver_->ValueOf(id);
+    for (uint8_t bit = 0; bit < 8; ++bit) {
+      const bool is_set = (value >> bit & 1) != 0;
+      if (is_set != machine::PowerOnBit(program.spaces[space], offset, bit))
+        values.push_back({version_.cells.OfBit(space, offset, bit), is_set});
+    }
+  }
+  return values;
+}
+
 /// What the host has loaded at power-on, where that matters.
 std::vector<InputValue> PropertyChecker::RetentiveOf(const Cone& cone) {
   std::vector<InputValue> stored;
@@ -492,10 +568,12 @@ PropertyRun PropertyChecker::RunOf(machine::Unrolled& unrolled, terms::TermId vi
   }
   std::vector<Input> taken_back;
   for (uint32_t period = 1; period <= periods; ++period) {
-    for (const auto& [cell, variable] : unrolled.takes_back(period)) {
-      const bool takes = cone.Has(variable) && solver_->ValueOf(variable) != 0;
-      values[terms_[variable].a] = takes ? 1 : 0;
-      if (takes) taken_back.push_back({period, 0, cell, terms_[variable].a});
+    for (uint32_t part = 0; part < unrolled.part_count(); ++part) {
+      for (const auto& [cell, variable] : unrolled.takes_back(period)[part]) {
+        const bool takes = cone.Has(variable) && solver_->ValueOf(variable) != 0;
+        values[terms_[variable].a] = takes ? 1 : 0;
+        if (takes) taken_back.push_back({period, part, cell, terms_[variable].a});
+      }
     }
   }
   // An input that need not change does not.
@@ -525,7 +603,7 @@ PropertyRun PropertyChecker::RunOf(machine::Unrolled& unrolled, terms::TermId vi
   }
   std::erase_if(inputs, [&moves](const Input& input) { return !moves[input.cell]; });
   PropertyRun run;
-  run.retentive = RetentiveOf(cone);
+  run.before_power_on = BeforePowerOn(unrolled, cone);
   run.periods.assign(periods, std::vector<std::vector<InputValue>>(unrolled.part_count()));
   std::map<execute::CellId, uint64_t> now;
   std::map<execute::CellId, uint32_t> set_in;  // by cell: the last period
@@ -548,7 +626,7 @@ PropertyRun PropertyChecker::RunOf(machine::Unrolled& unrolled, terms::TermId vi
     }
   }
   for (const Input& request : taken_back) {
-    if (values[request.variable] != 0) run.periods[request.period - 1][0].push_back({request.cell, false});
+    if (values[request.variable] != 0) run.periods[request.period - 1][request.part].push_back({request.cell, false});
   }
   return run;
 }

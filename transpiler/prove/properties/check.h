@@ -37,8 +37,9 @@ struct InputValue {
 /// A run from power-on: inputs that are set before each part of each period, and requests that are taken back. All
 /// inputs that matter are set in the first part; later only those that change.
 struct PropertyRun {
-  bool has_plant = false;             // the plant moves in it, and drives inputs that are not named here
-  std::vector<InputValue> retentive;  // that was stored before power-on; what is not named is 0
+  bool has_plant = false;  // the plant moves in it, and drives inputs that are not named here
+  /// Stored memory, and what the program reads when power comes: set before a power cycle; what is not named is 0.
+  std::vector<InputValue> before_power_on;
   std::vector<std::vector<std::vector<InputValue>>> periods;
 };
 
@@ -81,6 +82,7 @@ struct CheckOptions {
   uint32_t most_periods = 50;  // of runs from power-on that are computed, and of k
   RetentiveMemory retentive = RetentiveMemory::kZero;
   bool only_runs = false;  // only runs that violate it are wanted: no proof is tried
+  uint32_t slices = 1;     // of the slow part in the machine; here it is one piece
   /// Told what is being done, for a progress line; may be empty.
   std::function<void(const std::string& what)> progress;
   /// Tries runs until one violates the property; may be empty. Not asked with any retentive memory.
@@ -106,6 +108,8 @@ class PropertyChecker {
 
  private:
   PropertyResult CheckInTime(const Property& property);
+  /// Whether the property depends on what the fast part makes of more than inputs: in slices it runs in each of them.
+  bool DependsOnFastPart(const Property& property);
   /// Whether a proved property says little: it speaks of what nothing changes, or of a case that does not come.
   std::string RemarkOn(const Property& property);
   /// Whether a violated property speaks of an output that no statement writes: the run sets it like an input.
@@ -155,10 +159,15 @@ class PropertyChecker {
   void FindInvariantsAround(const std::vector<execute::CellId>& cells);
   PropertyRun RunOf(machine::Unrolled& unrolled, terms::TermId violated, uint32_t periods);
   std::vector<InputValue> RetentiveOf(const Cone& cone);
+  std::vector<InputValue> BeforePowerOn(machine::Unrolled& unrolled, const Cone& cone);
+  /// Whether what the program begins with depends on what the host answers and writes at power-on.
+  bool DependsOnPowerOn() const;
   /// What the solver answers; kUnknown, too, when the question is so large that it would not come to an answer.
   solver::Answer Ask(std::span<const terms::TermId> conditions, uint32_t milliseconds);
   std::string WhyUnknown() const;
   machine::Relation& Widest() const { return any_ ? *any_ : *silent_; }
+  /// From power-on, all that may happen.
+  machine::Unrolled& Base() const { return answered_ ? *answered_ : *plain_; }
 
   // "is never stuck" (stuck.cc).
   /// Values of inputs, by period, part and cell; what is not in them is 0.

@@ -146,9 +146,15 @@ ReachQuestion PropertyChecker::QuestionOf(terms::TermId bad,
     if (!cell.valid()) return more ? more(variable) : std::nullopt;
     if (new_each_time_[cell.index] || !machine::IsState(version_, cell) || cell.index >= version_.cells.calls)
       return {};
-    StateWord word{.now = variable, .next = {}, .start = plain_->Value(cell, 0)};
+    StateWord word{.now = variable, .next = {}, .start = Base().Value(cell, 0)};
     for (const std::vector<terms::TermId>* part : parts)
       word.next.push_back((*part)[cell.index].valid() ? (*part)[cell.index] : variable);
+    if (any_ && requests_[cell.index]) {
+      // The control may take it back before the next part.
+      const execute::Cell what = execute::CellAt(*version_.program, version_.cells, cell);
+      const terms::TermId stays = terms_.Variable("stays " + execute::CellName(*version_.program, what), 1);
+      for (terms::TermId& next : word.next) next = terms_.And(next, stays);
+    }
     return word;
   };
   // They hold after periods, not between their parts.

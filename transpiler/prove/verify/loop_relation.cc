@@ -302,8 +302,10 @@ terms::TermId LoopRelation::ClaimFacts(const OfProgram& loop, size_t number) {
 }
 
 void LoopRelation::Open() {
+  const std::optional<size_t> outer = open_.empty() ? std::nullopt : std::optional(open_.back());
   open_.push_back(loops_.size());
   loops_.push_back(std::make_unique<OfProgram>());
+  loops_.back()->outer = outer;
   loops_.back()->given_before = given_;
   loops_.back()->claims = claims_.size();
 }
@@ -312,7 +314,11 @@ execute::ProgramLoop::Head LoopRelation::AtHead(const execute::ProgramLoop& know
   const size_t number = open_.back();
   loops_.resize(number + 1);
   OfProgram& loop = *loops_.back();
-  loop = {.known = known, .given_before = loop.given_before, .holds = terms_.Bit(true), .claims = loop.claims};
+  loop = {.known = known,
+          .outer = loop.outer,
+          .given_before = loop.given_before,
+          .holds = terms_.Bit(true),
+          .claims = loop.claims};
   claims_.resize(loop.claims);
   given_ = loop.given_before;
   const std::string name = LoopName(number);
@@ -468,6 +474,8 @@ std::vector<terms::TermId> LoopRelation::AtHeadInCode(const CodeLoop& code) {
   OfCode& open = open_in_code_.back();
   if (open.number >= loops_.size()) return {};
   const OfProgram& loop = *loops_[open.number];
+  const size_t depth = open_in_code_.size();
+  if (loop.outer != (depth < 2 ? std::nullopt : std::optional(open_in_code_[depth - 2].number))) return {};
   claims_.resize(open.claims);
   given_in_code_ = open.given_before;
   next_in_code_ = open.number + 1;

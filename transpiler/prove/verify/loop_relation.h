@@ -1,14 +1,15 @@
 // Loops of both sides that are not unrolled, in step: what the code's loop has at its head as terms over what the
 // program's loop has there, and what remains to be shown of it.
 //
-// The n-th loop of the code belongs to the n-th one of the program. At a head the cells that the program's loop writes
-// are variables, the same for both sides; of the code's values, terms over them that the first rounds suggest
-// (loop_guess.h). Claims: at the entry both are related so; from a related head, one round on both sides goes on under
-// the same conditions to related heads. Then they are related at the last head, too, which is where execution goes on:
-// that it is the last one is given for all that follows, and for nothing that is claimed of the loop itself. So are
-// facts that are no equalities (loop_facts.h): each is claimed at the entry and, from a head where all of them hold, at
-// the next. A candidate that does not hold is dropped, and everything is done again with the next one. (The literature:
-// a coupling invariant, its candidates dropped as Houdini does.)
+// The n-th loop of the code belongs to the n-th one of the program, if both stand in loops that belong together, or in
+// none: what is claimed inside of a loop holds in any of its rounds, and behind it in the last one only. At a head the
+// cells that the program's loop writes are variables, the same for both sides; of the code's values, terms over them
+// that the first rounds suggest (loop_guess.h). Claims: at the entry both are related so; from a related head, one
+// round on both sides goes on under the same conditions to related heads. Then they are related at the last head, too,
+// which is where execution goes on: that it is the last one is given for all that follows, and for nothing that is
+// claimed of the loop itself. So are facts that are no equalities (loop_facts.h): each is claimed at the entry and,
+// from a head where all of them hold, at the next. A candidate that does not hold is dropped, and everything is done
+// again with the next one. (The literature: a coupling invariant, its candidates dropped as Houdini does.)
 //
 //   the program                             what the compiler made of it
 //     i = 0; sum = 0;                         p = &table[0]; s = 0; left = 8;
@@ -32,6 +33,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -87,7 +89,7 @@ class LoopRelation : public execute::LoopHeads {
 
   // Of the code.
   void OpenInCode();
-  /// Empty: the program has no such loop.
+  /// Empty: the program has no such loop there.
   std::vector<terms::TermId> AtHeadInCode(const CodeLoop& loop);
   void CloseInCode(terms::TermId again, std::span<const terms::TermId> values);
 
@@ -124,6 +126,7 @@ class LoopRelation : public execute::LoopHeads {
   };
   struct OfProgram {
     execute::ProgramLoop known;
+    std::optional<size_t> outer;  // the loop in which it stands
     std::vector<Word> words;
     std::vector<std::pair<uint32_t, uint8_t>> places;  // by index of a cell: its word, and bit of it
     std::vector<WordGuess> guesses;                    // by word

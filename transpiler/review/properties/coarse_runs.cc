@@ -32,7 +32,7 @@ Property InCoarsePeriods(Property property, uint32_t by) {
 
 /// The inputs of a coarse period are set before the first one of its periods, and stay.
 PropertyRun InOwnPeriods(PropertyRun coarse, uint32_t by) {
-  PropertyRun run{.has_plant = false, .retentive = std::move(coarse.retentive), .periods = {}};
+  PropertyRun run{.has_plant = false, .before_power_on = std::move(coarse.before_power_on), .periods = {}};
   for (std::vector<std::vector<prove::properties::InputValue>>& period : coarse.periods) {
     // A violation is seen behind the call that makes it: the last wait is none.
     if (!run.periods.empty()) run.periods.resize(run.periods.size() + by - 1, {{}});

@@ -76,7 +76,7 @@ class InputTexts {
 bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties::PropertyRun& run,
                 PropertyScenario& scenario) {
   std::vector<CellId> cells;
-  for (const prove::properties::InputValue& stored : run.retentive) cells.push_back(stored.cell);
+  for (const prove::properties::InputValue& stored : run.before_power_on) cells.push_back(stored.cell);
   for (const auto& period : run.periods) {
     for (const auto& part : period) {
       for (const prove::properties::InputValue& input : part) {
@@ -128,11 +128,14 @@ bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties:
     }
     if (!sets.empty()) steps += "- set: {" + sets + "}\n";
   };
-  if (!run.retentive.empty()) {
-    set(run.retentive);
+  if (!run.before_power_on.empty()) {
+    set(run.before_power_on);
     // Some controls keep the memory only when the program has asked for it.
     const ir::PlaceId asked = schedule.retain_at_power_off;
-    if (asked.valid()) {
+    const bool is_stored = std::ranges::any_of(run.before_power_on, [&](const prove::properties::InputValue& value) {
+      return prove::machine::IsRetentive(machine.version, value.cell);
+    });
+    if (is_stored && asked.valid()) {
       const std::vector<scenarios::InputWord> request =
           scenarios::WordsOf(machine, execute::CellsOf(program, machine.version.cells, program.places[asked]));
       if (!request.front().name.empty()) {

@@ -135,17 +135,31 @@ std::vector<CellId> CellsOf(const ir::Program& program, const Cells& cells, cons
   return bits;
 }
 
+int64_t LeastIndex(const ir::Place& place) {
+  const int64_t stride = place.stride, below = int64_t{place.low} - place.offset;
+  return below >= 0 ? (below + stride - 1) / stride : -(-below / stride);  // division rounds toward zero
+}
+
 std::vector<CellId> TouchedCells(const ir::Program& program, const Cells& cells, const ir::Place& place) {
   if (place.is_field()) return CellsOf(program, cells, place);
-  const uint32_t begin = place.indexed ? place.low : place.offset;
-  const uint32_t end =
-      std::min(cells.bytes[place.space.index], place.indexed ? place.high : place.offset + ir::Bytes(place.type));
   std::vector<CellId> touched;
-  for (uint32_t offset = begin; offset < end; ++offset) {
-    for (uint8_t bit = 0; bit < 8; ++bit) {
-      if (place.type != ir::Type::kBit || bit == place.bit) touched.push_back(cells.OfBit(place.space, offset, bit));
+  const int64_t bytes = ir::Bytes(place.type), space_end = cells.bytes[place.space.index];
+  int64_t next = 0;  // elements may overlap
+  const auto touch = [&](int64_t begin) {
+    for (next = std::max(next, begin); next < std::min(begin + bytes, space_end); ++next) {
+      for (uint8_t bit = 0; bit < 8; ++bit) {
+        if (place.type == ir::Type::kBit && bit != place.bit) continue;
+        touched.push_back(cells.OfBit(place.space, static_cast<uint32_t>(next), bit));
+      }
     }
+  };
+  if (!place.indexed) {
+    touch(place.offset);
+    return touched;
   }
+  if (place.stride == 0) return touched;
+  const int64_t high = std::min<int64_t>(place.high, program.spaces[place.space].bytes);
+  for (int64_t at = place.offset + LeastIndex(place) * place.stride; at + bytes <= high; at += place.stride) touch(at);
   return touched;
 }
 

@@ -88,7 +88,10 @@ std::string CellName(const ir::Program& program, const Cell& cell);
 /// Of a place that is not indexed and lies in memory: its cells from the least significant bit, whatever the space's
 /// byte order.
 std::vector<CellId> CellsOf(const ir::Program& program, const Cells& cells, const ir::Place& place);
-/// All cells that an access to a place may touch, ascending: of an indexed one those of every element.
+/// Of an indexed place: the least index whose element does not begin below the low bound.
+int64_t LeastIndex(const ir::Place& place);
+/// All cells that an access to a place may touch, ascending: of an indexed one those of every element that lies wholly
+/// inside its bounds, and not what is between elements.
 std::vector<CellId> TouchedCells(const ir::Program& program, const Cells& cells, const ir::Place& place);
 /// The cells of an instance.
 std::vector<CellId> CellsOfInstance(const ir::Program& program, const Cells& cells, ir::StateId state);

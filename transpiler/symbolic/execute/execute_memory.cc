@@ -64,9 +64,7 @@ void ForEachElement(const terms::Terms& terms, const ir::Program& program, const
   const int64_t high = std::min<int64_t>(place.high, program.spaces[place.space].bytes);
   const int64_t stride = place.stride, bytes = ir::Bytes(place.type);
   if (stride == 0) return;
-  // The least index at or above the low bound; division rounds down here.
-  const int64_t below = int64_t{place.low} - place.offset;
-  int64_t index = below >= 0 ? (below + stride - 1) / stride : -(-below / stride);
+  int64_t index = LeastIndex(place);
   ir::Place element = place;
   element.indexed = false;
   const auto visit_at = [&](int64_t i) {
