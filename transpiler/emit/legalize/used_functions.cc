@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "transpiler/emit/initial_values.h"
 #include "transpiler/emit/legalize/steps.h"
 #include "transpiler/ir/builder.h"
 #include "transpiler/ir/uses.h"
@@ -41,6 +42,17 @@ std::vector<bool> NamedOperations(const Emittable& emittable) {
   return named;
 }
 
+/// Whether a value at power-on is an infinity or no number, which are written by their bits.
+bool BeginsWithoutLiteral(const Emittable& emittable, ir::Type type) {
+  for (const auto& [storage, array] : InitialArraysOf(emittable)) {
+    if (array.type != type) continue;
+    for (const auto& [index, element] : array.values) {
+      if (!HasLiteral(type, element.value)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void FindUsedFunctions(Emittable& emittable) {
@@ -72,6 +84,8 @@ void FindUsedFunctions(Emittable& emittable) {
       emittable.functions.emplace_back("F64OfBits");
     }
   }
+  if (BeginsWithoutLiteral(emittable, ir::Type::kF32)) emittable.functions.emplace_back("F32OfBits");
+  if (BeginsWithoutLiteral(emittable, ir::Type::kF64)) emittable.functions.emplace_back("F64OfBits");
   std::sort(emittable.functions.begin(), emittable.functions.end());
   emittable.functions.erase(std::unique(emittable.functions.begin(), emittable.functions.end()),
                             emittable.functions.end());
@@ -91,6 +105,8 @@ void FindUsedHeaders(Emittable& emittable) {
     if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32) headers.insert("floats.h");
     if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF64) headers.insert("doubles.h");
   }
+  if (BeginsWithoutLiteral(emittable, ir::Type::kF32)) headers.insert("floats.h");
+  if (BeginsWithoutLiteral(emittable, ir::Type::kF64)) headers.insert("doubles.h");
   for (const layout::PlaceStorage& stored : emittable.layout.places) {
     const bool wide = stored.storage == layout::Storage::kWide || stored.storage == layout::Storage::kIndexed ||
                       stored.storage == layout::Storage::kRetentiveWide ||

@@ -10,11 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "transpiler/emit/initial_values.h"
 #include "transpiler/emit/print/cpp_printer.h"
 
 namespace plcxx::emit::print {
-
-struct InitialArray;
 
 /// Text that grows, and the number of its last line.
 class GrowingText {
