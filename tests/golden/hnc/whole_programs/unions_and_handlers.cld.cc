@@ -1023,6 +1023,10 @@ static void plc1(State& m, Host& host) noexcept {
   uint16_t v79_p81 = 0;
   uint32_t i81_p81 = 0;
   uint32_t rounds_left = 0;
+  uint32_t found = 0;
+  uint16_t found_local = 0;
+  uint32_t found_local_2 = 0;
+  uint16_t found_local_3 = 0;
 
   m[v80_p81_0] = 0;
   m[v80_p81_2] = 0;
@@ -1089,14 +1093,16 @@ static void plc1(State& m, Host& host) noexcept {
 
   // g17_p81 = h24_p81(h23_p81(8 & 65535, g8_p81), (g17_p81.m2 + g16_p81.m1[1] ? g17_p81 : g17_p81));
   const uint32_t t484 = (Add16(m[g17_p81_m2], SignExtend8To16(m[g16_p81_m1_1])) != 0 ? 0 : 0);
-  if (t484 > 2) {
+  found = 0;
+  found_local = 0;
+  if (t484 > 0) {
     record_fault(m, 2, 0x597F8DC0, host);
+  } else {
+    found = m[At(g17_p81_from_0_by_1_n, t484)];
+    found_local = m[At(g17_p81_from_4_by_1, t484)];
   }
-  const uint32_t t485 = m[At(g17_p81_from_0_by_1_n, t484)];
-  if (Add32(t484, 4) > 4) {
-    record_fault(m, 2, 0x597F8DC0, host);
-  }
-  const uint16_t t486 = m[At(g17_p81_from_4_by_1, t484)];
+  const uint32_t t485 = found;
+  const uint16_t t486 = found_local;
   m[s_m0_h23_p81_s_m0] = m[g8_p81_m0_g8_p81_m0];
   m[s_m2] = m[g8_p81_m2];
   h23_p81(m, 8, host);
@@ -1151,14 +1157,16 @@ static void plc1(State& m, Host& host) noexcept {
 
   // g8_p81 = h24_p81(h23_p81(g17_p81.m0 + X[2], g16_p81), (7 + g14_p81 ? g8_p81 : g8_p81));
   const uint32_t t870 = (Add32(7, m[g14_p81]) != 0 ? 0 : 0);
-  if (t870 > 2) {
+  found_local_2 = 0;
+  found_local_3 = 0;
+  if (t870 > 0) {
     record_fault(m, 2, 0xC69D542E, host);
+  } else {
+    found_local_2 = m[At(g8_p81_from_0_by_1_n, t870)];
+    found_local_3 = m[At(g8_p81_from_4_by_1, t870)];
   }
-  const uint32_t t871 = m[At(g8_p81_from_0_by_1_n, t870)];
-  if (Add32(t870, 4) > 4) {
-    record_fault(m, 2, 0xC69D542E, host);
-  }
-  const uint16_t t872 = m[At(g8_p81_from_4_by_1, t870)];
+  const uint32_t t871 = found_local_2;
+  const uint16_t t872 = found_local_3;
   const uint32_t t873 = SignExtend16To32(Add16(m[g17_p81_m0], m[X2]));
   m[s_m0_h23_p81_s_m0] = m[g16_p81_m0_g16_p81_m0];
   m[s_m2] = m[g16_p81_m2];

@@ -38,50 +38,91 @@ void Accesses::ReportIndex(ObjectId object, ExprId at) {
                                    : " bytes"));
 }
 
+/// Whole strides of the constant part go into the index, so that index 0 is at the beginning of the object.
+Accesses::Scaled Accesses::ScaledIn(int64_t size, const Address& address, int64_t bytes) {
+  const int64_t stride = address.stride;
+  Scaled scaled{.base = address.base, .strides = 0, .first = 0, .last = 0, .inside = false};
+  if (scaled.base < 0 || scaled.base > size - bytes) {
+    scaled.strides = scaled.base >= 0 ? scaled.base / stride : -((-scaled.base + stride - 1) / stride);
+    scaled.base -= scaled.strides * stride;
+  }
+  scaled.first = -(scaled.base / stride);
+  scaled.last = (size - bytes - scaled.base) / stride;
+  const Bounds bounds{address.index_bounds.low + scaled.strides, address.index_bounds.high + scaled.strides};
+  scaled.inside = bounds.Within({scaled.first, scaled.last});
+  return scaled;
+}
+
+bool Accesses::IsInside(const Address& address, uint32_t bytes) const {
+  if (address.targets.objects.empty() || bytes == 0 || address.stride == 0) return true;  // refused
+  if (address.targets.objects.size() > 1 || address.is_null) return false;
+  const auto size = static_cast<int64_t>(objects_[address.targets.objects.front()].size);
+  if (!address.index.valid()) return address.base >= 0 && address.base + bytes <= size;
+  return bytes <= size && ScaledIn(size, address, bytes).inside;
+}
+
+std::optional<Accesses::Reach> Accesses::ReachOf(ObjectId object, const Address& address, int64_t bytes, ExprId at) {
+  const auto size = static_cast<int64_t>(objects_[object].size);
+  if (!address.index.valid() && !address.is_null) {
+    if (address.base >= 0 && address.base + bytes <= size)
+      return Reach{.base = address.base, .index = {}, .outside = {}};
+    // One of several is not this one then.
+    if (address.targets.objects.size() == 1) ReportIndex(object, at);
+    return std::nullopt;
+  }
+  if (bytes > size || address.is_null) return std::nullopt;
+  const Scaled scaled = ScaledIn(size, address, bytes);
+  Reach reach{.base = scaled.base, .index = address.index, .outside = {}};
+  if (scaled.strides > 0)
+    reach.index = Pure(OpKind::kAdd32, {reach.index, Long(static_cast<uint32_t>(scaled.strides))});
+  if (scaled.strides < 0)
+    reach.index = Pure(OpKind::kSub32, {reach.index, Long(static_cast<uint32_t>(-scaled.strides))});
+  if (scaled.inside && !stated_.on()) return reach;
+  const ValueId from_first =
+      scaled.first == 0 ? reach.index : Pure(OpKind::kAdd32, {reach.index, Long(static_cast<uint32_t>(-scaled.first))});
+  const ValueId most = Long(static_cast<uint32_t>(scaled.last - scaled.first));
+  if (scaled.inside) {
+    stated_.Check(ir::FactKind::kIndex, Pure(OpKind::kLessEqual32, {from_first, most}), reach.index);
+  } else {
+    reach.outside = Pure(OpKind::kGreater32, {from_first, most});
+  }
+  return reach;
+}
+
+void Accesses::RecordMiss(const Address& address) {
+  const bool refused = !address.index.valid() && !address.is_null && address.targets.objects.size() == 1;
+  if (!refused) faults_.Record(Fault::kIndex);
+}
+
 std::optional<Accesses::Access> Accesses::AccessTo(ObjectId object, const Address& address, ir::Type type, ExprId at,
                                                    IndexFault fault) {
-  const auto size = static_cast<int64_t>(objects_[object].size);
-  const auto bytes = static_cast<int64_t>(ir::Bytes(type));
-  const int64_t stride = address.stride;
-  if (!address.index.valid() && !address.is_null) {
-    if (address.base >= 0 && address.base + bytes <= size) {
-      return Access{places_.At(object, static_cast<uint32_t>(address.base), type), {}};
-    }
-    if (address.targets.objects.size() > 1) {  // one of several, and not this one then
-      if (fault == IndexFault::kRecords) faults_.Record(Fault::kIndex);
-      return std::nullopt;
-    }
-    ReportIndex(object, at);
+  const std::optional<Reach> reach = ReachOf(object, address, ir::Bytes(type), at);
+  if (!reach) {
+    if (fault == IndexFault::kRecords) RecordMiss(address);
     return std::nullopt;
   }
-  if (bytes > size || address.is_null) {
-    if (fault == IndexFault::kRecords) faults_.Record(Fault::kIndex);
-    return std::nullopt;
-  }
-  // Whole strides of the constant part go into the index, so that index 0 is at the beginning of the object.
-  int64_t base = address.base;
-  ValueId index = address.index;
-  Bounds bounds = address.index_bounds;
-  if (base < 0 || base > size - bytes) {
-    const int64_t strides = base >= 0 ? base / stride : -((-base + stride - 1) / stride);
-    index = strides >= 0 ? Pure(OpKind::kAdd32, {index, Long(static_cast<uint32_t>(strides))})
-                         : Pure(OpKind::kSub32, {index, Long(static_cast<uint32_t>(-strides))});
-    bounds = {bounds.low + strides, bounds.high + strides};
-    base -= strides * stride;
-  }
-  const int64_t first = -(base / stride), last = (size - bytes - base) / stride;
-  const bool inside = bounds.Within({first, last});
-  if (!inside || stated_.on()) {
-    const ValueId from_first = first == 0 ? index : Pure(OpKind::kAdd32, {index, Long(static_cast<uint32_t>(-first))});
-    const ValueId most = Long(static_cast<uint32_t>(last - first));
-    if (inside) {
-      stated_.Check(ir::FactKind::kIndex, Pure(OpKind::kLessEqual32, {from_first, most}), index);
+  if (reach->outside.valid() && fault == IndexFault::kRecords) faults_.RecordWhen(reach->outside, Fault::kIndex);
+  const auto base = static_cast<uint32_t>(reach->base);
+  if (!reach->index.valid()) return Access{places_.At(object, base, type), {}};
+  return Access{places_.IndexedAt(object, base, address.stride, type), reach->index};
+}
+
+void Accesses::InOne(const Address& address, uint32_t bytes, const std::function<void(const Address&)>& body) {
+  ForEachTargetOf(address, IndexFault::kRecords, [&](ObjectId object) {
+    Address one = address;
+    one.targets.objects = {object};
+    const std::optional<Reach> reach = ReachOf(object, address, bytes, {});
+    if (!reach) {
+      RecordMiss(address);
+    } else if (!reach->outside.valid()) {
+      body(one);
     } else {
-      const ValueId outside = Pure(OpKind::kGreater32, {from_first, most});
-      if (fault == IndexFault::kRecords) faults_.RecordWhen(outside, Fault::kIndex);
+      const ir::RegionId faulty = builder_.NewRegion(), inside = builder_.NewRegion();
+      builder_.If(reach->outside, faulty, inside);
+      builder_.Into(faulty, [&] { faults_.Record(Fault::kIndex); });
+      builder_.Into(inside, [&] { body(one); });
     }
-  }
-  return Access{places_.IndexedAt(object, static_cast<uint32_t>(base), address.stride, type), index};
+  });
 }
 
 void Accesses::ForEachTargetOf(const Address& address, IndexFault fault, const std::function<void(ObjectId)>& body) {

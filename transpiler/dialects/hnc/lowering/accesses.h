@@ -42,6 +42,11 @@ class Accesses : Context {
   ir::ValueId LoadAt(const Address& address, ir::Type type, ExprId at, IndexFault fault = IndexFault::kRecords);
   void StoreAt(const Address& address, ir::Type type, ir::ValueId value, ExprId at,
                IndexFault fault = IndexFault::kRecords);
+  /// Whether `bytes` at an address are within its one object, whatever the index is.
+  bool IsInside(const Address& address, uint32_t bytes) const;
+  /// Several accesses that are one (6.9): all of `bytes` at an address, each target with an address of its own, or none
+  /// of them and one fault.
+  void InOne(const Address& address, uint32_t bytes, const std::function<void(const Address&)>& body);
   /// What a bit-field gives back of a value that was stored into it: its width's digits, with its sign.
   Value InBitField(const Value& digits, const Lvalue& lvalue);
   /// W4, once for each variable.
@@ -55,7 +60,21 @@ class Accesses : Context {
     ir::PlaceId place;
     ir::ValueId index;
   };
+  /// An address with an index, as an object of a size has it: inside where the index is from `first` to `last`.
+  struct Scaled {
+    int64_t base = 0, strides = 0, first = 0, last = 0;
+    bool inside = false;
+  };
+  struct Reach {
+    int64_t base = 0;
+    ir::ValueId index;
+    ir::ValueId outside;  // none: always inside
+  };
   void ReportIndex(ObjectId object, ExprId at);
+  static Scaled ScaledIn(int64_t size, const Address& address, int64_t bytes);
+  /// None: never inside; a constant address in the only object has been refused then.
+  std::optional<Reach> ReachOf(ObjectId object, const Address& address, int64_t bytes, ExprId at);
+  void RecordMiss(const Address& address);
   std::optional<Access> AccessTo(ObjectId object, const Address& address, ir::Type type, ExprId at, IndexFault fault);
   Value LoadBitField(const Lvalue& lvalue);
   void StoreBitField(const Lvalue& lvalue, const Value& value, IndexFault fault);

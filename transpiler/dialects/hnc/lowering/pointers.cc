@@ -167,7 +167,15 @@ bool Pointers::HasPoisonedSource(VariableId variable) const {
   for (const InitialValue& initial : unit_.variables[variable].initial) {
     if (is_poison(initial.value)) return true;
   }
+  const Variable& pointer = unit_.variables[variable];
   for (const Expr& expr : unit_.expressions) {
+    // A call with such an argument is refused as a whole.
+    if (expr.kind == ExprKind::kPoison && pointer.storage == Storage::kParameter && pointer.function.valid() &&
+        expr.function == pointer.function) {
+      const std::vector<VariableId>& parameters = unit_.functions[pointer.function].parameters;
+      const auto number = static_cast<size_t>(std::ranges::find(parameters, variable) - parameters.begin());
+      if (number < expr.arguments.size() && is_poison(expr.arguments[number])) return true;
+    }
     if (expr.kind != ExprKind::kAssign || ExprAt(expr.a).kind != ExprKind::kVariable) continue;
     if (ExprAt(expr.a).variable == variable && is_poison(expr.b)) return true;
   }

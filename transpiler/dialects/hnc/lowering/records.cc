@@ -31,23 +31,52 @@ constexpr uint32_t kMostPlainStores = 16;  // that clear an array one by one
 
 }  // namespace
 
+/// Piece by piece, as scalars are: each has its object to itself, or they are all within it.
+bool Records::IsPlain(const Address& address, uint32_t size) const {
+  return size == 1 || size == 2 || size == 4 || accesses_.IsInside(address, size);
+}
+
 void Records::Assign(const Address& to, const Address& from, TypeId type) {
-  ForEachPiece(TypeAt(type).size, [&](uint32_t at, ir::Type width) {
+  const uint32_t size = TypeAt(type).size;
+  if (!IsPlain(to, size) || !IsPlain(from, size)) return Store(to, Load(from, type), type);
+  ForEachPiece(size, [&](uint32_t at, ir::Type width) {
     accesses_.StoreAt(Behind(to, at), width, accesses_.LoadAt(Behind(from, at), width, {}), {});
   });
 }
 
 std::vector<ValueId> Records::Load(const Address& from, TypeId type) {
+  const uint32_t size = TypeAt(type).size;
   std::vector<ValueId> pieces;
-  ForEachPiece(TypeAt(type).size,
-               [&](uint32_t at, ir::Type width) { pieces.push_back(accesses_.LoadAt(Behind(from, at), width, {})); });
+  if (IsPlain(from, size)) {
+    ForEachPiece(size,
+                 [&](uint32_t at, ir::Type width) { pieces.push_back(accesses_.LoadAt(Behind(from, at), width, {})); });
+    return pieces;
+  }
+  std::vector<ir::PlaceId> found;
+  ForEachPiece(size, [&](uint32_t, ir::Type width) {
+    found.push_back(locals_.Add("found", width));
+    builder_.Store(found.back(), builder_.Constant(width, 0));
+  });
+  accesses_.InOne(from, size, [&](const Address& one) {
+    size_t next = 0;
+    ForEachPiece(size, [&](uint32_t at, ir::Type width) {
+      builder_.Store(found[next++], accesses_.LoadAt(Behind(one, at), width, {}, IndexFault::kRecorded));
+    });
+  });
+  for (const ir::PlaceId place : found) pieces.push_back(builder_.Load(place));
   return pieces;
 }
 
 void Records::Store(const Address& to, const std::vector<ValueId>& pieces, TypeId type) {
-  size_t next = 0;
-  ForEachPiece(TypeAt(type).size,
-               [&](uint32_t at, ir::Type width) { accesses_.StoreAt(Behind(to, at), width, pieces[next++], {}); });
+  const uint32_t size = TypeAt(type).size;
+  const auto store = [&](const Address& one, IndexFault fault) {
+    size_t next = 0;
+    ForEachPiece(size, [&](uint32_t at, ir::Type width) {
+      accesses_.StoreAt(Behind(one, at), width, pieces[next++], {}, fault);
+    });
+  };
+  if (IsPlain(to, size)) return store(to, IndexFault::kRecords);
+  accesses_.InOne(to, size, [&](const Address& one) { store(one, IndexFault::kRecorded); });
 }
 
 void Records::Clear(ObjectId object) {

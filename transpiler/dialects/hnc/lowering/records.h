@@ -24,6 +24,8 @@ class Records : Context {
   void Clear(ObjectId object);
 
  private:
+  bool IsPlain(const Address& address, uint32_t size) const;
+
   CellPlaces& places_;
   Locals& locals_;
   Accesses& accesses_;
