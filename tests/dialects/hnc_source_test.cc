@@ -43,10 +43,13 @@ TEST(HncSource, LiteralsHoldTheBytesOfTheFile) {
 }
 
 TEST(HncSource, TwoCharactersInTheOrderOfTheParser) {
-  EXPECT_EQ(Rewritten("'AB'").text.text, "'\\102\\101'\n");
+  EXPECT_EQ(Rewritten("#if 'AB'").text.text, "#if '\\102\\101'\n");
+  EXPECT_EQ(Rewritten("'AB'").text.text, "'AB'\n") << "the tokens are filtered; # of a macro wants what is written";
   EXPECT_EQ(Rewritten("'A'").text.text, "'A'\n");
   EXPECT_EQ(Rewritten("'\\0\\x41'").text.text, "'\\101\\000'\n");
-  EXPECT_EQ(Rewritten("'\xD6\xD0'").text.text, "'\\320\\326'\n");
+  EXPECT_EQ(Rewritten("#if '\xD6\xD0'").text.text, "#if '\\320\\326'\n");
+  EXPECT_EQ(Rewritten("'\xD6\xD0'").text.text, "'\xD6\xD0'\n");
+  EXPECT_EQ(Rewritten("'\xD6\x5C'").text.text, "'\\134\\326'\n") << "its second byte is a backslash";
   EXPECT_THAT(Rewritten("'abc'").Findings(), ElementsAre("1:1 E004"));
 }
 
@@ -61,6 +64,11 @@ TEST(HncSource, CommentsThatContinue) {
   EXPECT_THAT(Rewritten("// text \\\nmore\n").Findings(), ElementsAre("1:9 W22"));
   EXPECT_THAT(Rewritten("// \xD6\x5C\nx\n").Findings(), ElementsAre("1:4 W22"));
   EXPECT_EQ(Rewritten("// a \\  \nx\n").text.text, "// a    \nx\n") << "blanks between: no splice";
+  EXPECT_EQ(Rewritten("// a \\\\ \nx\n").text.text, "// a    \nx\n") << "nor by the one in front of it";
+  EXPECT_EQ(Rewritten("// a \\ \\\t\nx\n").text.text, "// a     \nx\n");
+  EXPECT_EQ(Rewritten("#pragma argsused \\ \nx\n").text.text, "#pragma argsused   \nx\n");
+  EXPECT_EQ(Rewritten("it's \\ \n#endif\n").text.text, "it's   \n#endif\n");
+  EXPECT_EQ(Rewritten("foo \\ \n#endif\n").text.text, "foo   \n#endif\n") << "nobody goes on with a directive";
 }
 
 TEST(HncSource, TextOfComments) {

@@ -411,7 +411,7 @@ static uint32_t f13_p149(State& m, uint32_t a14_p149, uint32_t a15_p149, Host& h
   m[At(R_ui_by_1, t665)] = t664;
 
   // g4_p149 = g6_p149.f == 3;
-  m[g4_p149] = EqualF64(WidenF32(m[g6_p149_f]), WidenF32(3.0F));
+  m[g4_p149] = EqualF64(WidenF32(m[g6_p149_f]), 3.0);
 
   // return (unsigned char) X_ul[1] ^ a14_p149[1] < sizeof(unsigned char);
   const uint16_t t914 = LowByte32(m[X_ul_1]);
@@ -823,8 +823,9 @@ static void plc1(State& m, Host& host) noexcept {
       // g6_p149.f = g6_p149.f - g6_p149.f;
       m[g6_p149_f] = NarrowF64(WidenF32(m[g6_p149_f]) - WidenF32(m[g6_p149_f]));
       // if (g6_p149.f > 1e6f || g6_p149.f < -1e6f || g6_p149.f > -1e-6f && g6_p149.f < 1e-6f)
-      if ((WidenF32(m[g6_p149_f]) > WidenF32(1e+06F)) | (WidenF32(m[g6_p149_f]) < WidenF32(-1e+06F))
-          | ((WidenF32(m[g6_p149_f]) > WidenF32(-1e-06F)) & (WidenF32(m[g6_p149_f]) < WidenF32(1e-06F)))) {
+      if ((WidenF32(m[g6_p149_f]) > 1e+06) | (WidenF32(m[g6_p149_f]) < -1e+06)
+          | ((WidenF32(m[g6_p149_f]) > -9.999999974752427e-07)
+          & (WidenF32(m[g6_p149_f]) < 9.999999974752427e-07))) {
         // g6_p149.f = 1.5f;
         m[g6_p149_f] = 1.5F;
       }
@@ -1060,7 +1061,7 @@ static void plc1(State& m, Host& host) noexcept {
     // while (i53_p149)
     while (i53_p149 != 0) {
       // if (g6_p149.f > -30000.0f && g6_p149.f < 30000.0f)
-      if ((WidenF32(m[g6_p149_f]) > WidenF32(-30000.0F)) & (WidenF32(m[g6_p149_f]) < WidenF32(30000.0F))) {
+      if ((WidenF32(m[g6_p149_f]) > -30000.0) & (WidenF32(m[g6_p149_f]) < 30000.0)) {
         // g9_p149[2] = (int) g6_p149.f;
         m[g9_p149_2] = SignExtend16To32(LowHalf32(TruncateF64(WidenF32(m[g6_p149_f]))));
       }
@@ -1160,8 +1161,9 @@ static void plc2(State& m, Host& host) noexcept {
       // g6_p149.f = g6_p149.f + g6_p149.f;
       m[g6_p149_f] = NarrowF64(WidenF32(m[g6_p149_f]) + WidenF32(m[g6_p149_f]));
       // if (g6_p149.f > 1e6f || g6_p149.f < -1e6f || g6_p149.f > -1e-6f && g6_p149.f < 1e-6f)
-      if ((WidenF32(m[g6_p149_f]) > WidenF32(1e+06F)) | (WidenF32(m[g6_p149_f]) < WidenF32(-1e+06F))
-          | ((WidenF32(m[g6_p149_f]) > WidenF32(-1e-06F)) & (WidenF32(m[g6_p149_f]) < WidenF32(1e-06F)))) {
+      if ((WidenF32(m[g6_p149_f]) > 1e+06) | (WidenF32(m[g6_p149_f]) < -1e+06)
+          | ((WidenF32(m[g6_p149_f]) > -9.999999974752427e-07)
+          & (WidenF32(m[g6_p149_f]) < 9.999999974752427e-07))) {
         // g6_p149.f = 1.5f;
         m[g6_p149_f] = 1.5F;
       }
@@ -1220,7 +1222,7 @@ static void plc2(State& m, Host& host) noexcept {
         m[At(g9_p149_from_8_by_1, t864)] = t863;
       }
       // if (g6_p149.f > -30000.0f && g6_p149.f < 30000.0f)
-      if ((WidenF32(m[g6_p149_f]) > WidenF32(-30000.0F)) & (WidenF32(m[g6_p149_f]) < WidenF32(30000.0F))) {
+      if ((WidenF32(m[g6_p149_f]) > -30000.0) & (WidenF32(m[g6_p149_f]) < 30000.0)) {
         // *axis_pic_v(1) = (int) g6_p149.f;
         m[axis_pic_v_1] = LowHalf32(TruncateF64(WidenF32(m[g6_p149_f])));
       }

@@ -24,6 +24,10 @@ struct Parsed {
   std::string assumed_header;  // an include that was taken for the system header
 };
 
+bool IsWithin(const std::vector<source::Range>& groups, source::Offset place) {
+  return std::ranges::any_of(groups, [&](source::Range group) { return group.begin <= place && place < group.end; });
+}
+
 class Run {
  public:
   explicit Run(dialects::Request& request) : request_(request), settings_(ReadSettings(request.options)) {}
@@ -39,6 +43,11 @@ class Run {
       return parsed;
     }
     parse(InputOf(*parsed.files), until, parsed.output);
+    if (IsOptionLeftOut(parsed)) {
+      ignores_option_ = true;
+      parsed.output = {};
+      parse(InputOf(*parsed.files), until, parsed.output);
+    }
     const MissingInclude* assumed = SystemHeaderAmong(parsed);
     if (assumed == nullptr) return parsed;
     // 9.1: again, with this name for the system header.
@@ -74,6 +83,7 @@ class Run {
     input.kept = &reuse.bodies();
     parsed.output.unit = reuse.TakeSpare();
     parse(input, ParseUntil::kTree, parsed.output);
+    if (IsOptionLeftOut(parsed)) return std::nullopt;
     if (!reuse.Fits(*request_.sources, parsed.files->texts(), parsed.output)) {
       // Nearly all of it twice is dearer than all of it once.
       const std::vector<uint32_t>& more = parsed.output.stale_bodies;
@@ -91,8 +101,16 @@ class Run {
     input.include_folders = static_cast<uint32_t>(request_.include_directories.size());
     input.macros = request_.macros;
     input.keeps_bodies = request_.kept != nullptr;
-    input.char_is_signed = settings_.plain_char == CharOption::kSigned && !files.main().unsigned_char;
+    input.char_is_signed =
+        settings_.plain_char == CharOption::kSigned && (ignores_option_ || files.main().unsigned_char.empty());
     return input;
+  }
+
+  /// Each `#pragma option -K` is in a group of #if that does not count, which is known only now.
+  bool IsOptionLeftOut(const Parsed& parsed) const {
+    const std::vector<source::Offset>& places = parsed.files->main().unsigned_char;
+    return !ignores_option_ && !places.empty() &&
+           std::ranges::all_of(places, [&](source::Offset place) { return IsWithin(parsed.output.left_out, place); });
   }
 
   /// The one quoted include of the main source that cannot be found, where no system header is included.
@@ -111,6 +129,7 @@ class Run {
   dialects::Request& request_;
   Settings settings_;
   LoadedFiles loaded_;
+  bool ignores_option_ = false;
 };
 
 bool IsErrorOfParser(const Finding& finding) { return finding.row.severity == diag::Severity::kError; }
@@ -159,11 +178,7 @@ class Reporter {
     const source::Position position = request_.sources->Locate(range.begin);
     return {position.file.index, position.line};
   }
-  bool IsLeftOut(source::Range range) const {
-    return std::ranges::any_of(parsed_.output.left_out, [&](source::Range group) {
-      return group.begin <= range.begin && range.begin < group.end;
-    });
-  }
+  bool IsLeftOut(source::Range range) const { return IsWithin(parsed_.output.left_out, range.begin); }
   bool Follows(const Finding& finding) {
     if (!IsErrorOfParser(finding)) return false;
     const Line line = LineOf(finding.range);

@@ -131,12 +131,18 @@ class Rewriter {
     Copy(1);
     CopyLineEnd();
   }
-  /// A backslash that only blanks separate from the line end: no splice here, but the C parser would take it for one.
-  bool AtBlankedBackslash() const {
-    if (Peek() != '\\' || !IsLineBlank(Peek(1))) return false;
-    size_t ahead = 1;
-    while (IsLineBlank(Peek(ahead))) ++ahead;
-    return LineEnd(ahead) != 0;
+  /// From a backslash on, how many backslashes and blanks are left of the line, the last one a blank; 0: something else
+  /// is. No splice here, but the C parser would take the last backslash for one, and then perhaps the one before it.
+  size_t BlankedBackslashes() const {
+    if (Peek() != '\\') return 0;
+    size_t length = 1;
+    while (Peek(length) == '\\' || IsLineBlank(Peek(length))) ++length;
+    const bool ends = at_ + length >= text_.size() || LineEnd(length) != 0;
+    return ends && IsLineBlank(Peek(length - 1)) ? length : 0;
+  }
+  void PutBlanks(size_t count) {
+    out_.text.append(count, ' ');
+    at_ += count;
   }
 
   bool WasReplaced() const { return std::ranges::binary_search(file_.replaced, static_cast<uint32_t>(at_)); }
@@ -144,7 +150,7 @@ class Rewriter {
   void LeaveOut(LeftOutText& part);
   void Step();
   void CodeCharacter();
-  void BlankedBackslash();
+  void BlankedBackslash(size_t length);
   void ForeignCharacter();
   void Word();
   void Directive();
@@ -164,7 +170,8 @@ class Rewriter {
   const source::File& file_;
   std::string_view text_;
   size_t at_ = 0;
-  bool line_start_ = true;         // nothing but blanks and comments on the logical line so far
+  bool line_start_ = true;  // nothing but blanks and comments on the logical line so far
+  bool in_directive_ = false;
   size_t foreign_end_ = SIZE_MAX;  // where the last reported run of foreign characters ended
   SourceText out_;
 };
@@ -185,6 +192,7 @@ void Rewriter::Step() {
   if (LineEnd() != 0) {
     CopyLineEnd();
     line_start_ = true;
+    in_directive_ = false;
   } else if (AtSplice()) {
     CopySplice();
   } else if (Peek() == '/' && Peek(1) == '/') {
@@ -207,7 +215,7 @@ void Rewriter::CodeCharacter() {
   if (c == '"') return String();
   if (c == '\'') return CharacterConstant();
   if (IsWord(c)) return Word();
-  if (AtBlankedBackslash()) return BlankedBackslash();
+  if (const size_t length = BlankedBackslashes(); length != 0) return BlankedBackslash(length);
   // In an argument of a macro that becomes a text it is one character of it. What is left of it is no token (2.2).
   if (c == '\\' && Peek(1) != 'u' && Peek(1) != 'U') return Copy(1);
   const bool is_control = static_cast<unsigned char>(c) < ' ' || c == '\x7F';
@@ -219,17 +227,20 @@ void Rewriter::Word() {
   while (IsWord(Peek())) Copy(1);
 }
 
-/// The line was to go on, so it does: one message.
-void Rewriter::BlankedBackslash() {
-  size_t blanks = 0;
-  while (IsLineBlank(Peek(1 + blanks))) ++blanks;
+/// The line was to go on, so it does: one message. In a group that is left out it does not, and nobody continues a line
+/// with a directive.
+void Rewriter::BlankedBackslash(size_t length) {
   const source::Range range = Here(1);
   out_.findings
       .Report(range, diag::HncCharacterForeign, "\\", source::CodePointName('\\'),
               "a line goes on only where the backslash is its last character: delete the blanks behind it")
-      .fixits.push_back({{range.end, range.end + static_cast<source::Offset>(blanks)}, ""});
+      .fixits.push_back({{range.end, range.begin + static_cast<source::Offset>(length)}, ""});
+  size_t next = at_ + length;
+  if (next < text_.size()) next += LineEnd(length);
+  while (next < text_.size() && IsLineBlank(text_[next])) ++next;
+  if (next >= text_.size() || text_[next] == '#') return PutBlanks(length);
   Copy(1);
-  at_ += blanks;
+  at_ += length - 1;
   Mark();
   CopyLineEnd();
 }
@@ -258,6 +269,7 @@ void Rewriter::ForeignCharacter() {
 }
 
 void Rewriter::Directive() {
+  in_directive_ = true;
   Copy(1);
   while (IsLineBlank(Peek()) || AtSplice()) AtSplice() ? CopySplice() : Copy(1);
   const size_t begin = at_;
@@ -273,6 +285,7 @@ void Rewriter::Directive() {
 void Rewriter::RestOfLine() {
   while (at_ < text_.size() && LineEnd() == 0) {
     if (Peek() == '/' && (Peek(1) == '/' || Peek(1) == '*')) return;
+    if (const size_t length = BlankedBackslashes(); length != 0) return PutBlanks(length);
     AtSplice() ? CopySplice() : Copy(1);
   }
 }
@@ -295,7 +308,7 @@ void Rewriter::PragmaLine() {
   if (option == std::string_view::npos || !words.substr(option).starts_with("option")) return;
   const size_t key = words.find("-K", option);
   if (key == std::string_view::npos || IsWord(key + 2 < words.size() ? words[key + 2] : ' ')) return;
-  out_.unsigned_char = true;
+  out_.unsigned_char.push_back(out_.base + static_cast<source::Offset>(begin));
 }
 
 /// #line number "name"; what has another form is the C parser's to refuse, and so are other numbers.
@@ -327,9 +340,8 @@ void Rewriter::LineComment() {
     if (AtSplice()) {
       out_.findings.Report(Here(1), diag::HncCommentContinues);
       CopySplice();
-    } else if (AtBlankedBackslash()) {
-      ++at_;
-      Put(' ');
+    } else if (const size_t length = BlankedBackslashes(); length != 0) {
+      PutBlanks(length);
     } else {
       Copy(1);
     }
@@ -360,6 +372,7 @@ void Rewriter::BlockComment() {
       KeepComment(begin);
       return;
     }
+    if (const size_t length = BlankedBackslashes(); length != 0) PutBlanks(length);  // between '*' and '/' it matters
     LineEnd() != 0 ? CopyLineEnd() : Copy(1);
   }
   KeepComment(begin);  // without an end: the C parser finds that, too
@@ -376,10 +389,8 @@ void Rewriter::String() {
   while (at_ < text_.size() && LineEnd() == 0) {
     if (AtSplice()) {
       CopySplice();
-    } else if (AtBlankedBackslash()) {
-      Put('\\');  // an escaped backslash: the C parser must not splice here
-      Copy(1);
-      Mark();
+    } else if (const size_t line_rest = BlankedBackslashes(); line_rest != 0) {
+      PutBlanks(line_rest);
     } else if (Peek() == '\\' && Peek(1) != '\0' && IsAsciiByte(Peek(1))) {
       Copy(2);
     } else if (Peek() == '"') {
@@ -466,7 +477,13 @@ void Rewriter::CharacterConstant() {
     // A line end inside stays one.
     for (size_t i = written.find('\n'); i != std::string_view::npos; i = written.find('\n', i + 1)) out_.text += "\\\n";
   } else if (closed && readable && (bytes.size() == 2 || !plain)) {
-    // The C parser puts the first character into the high byte, the original compiler into the low one.
+    // The C parser puts the first character into the high byte, the original compiler into the low one. In code that is
+    // left to FilterTokens, since `#` of a macro wants what is written.
+    const bool as_bytes = written.find('\\') == std::string_view::npos && bytes.find('\\') == std::string::npos;
+    if (!in_directive_ && as_bytes) {
+      out_.text += "'" + bytes + "'";
+      return Mark();
+    }
     std::ranges::reverse(bytes);
     Put('\'');
     for (const char byte : bytes) {
@@ -475,9 +492,16 @@ void Rewriter::CharacterConstant() {
       out_.text += octal.data();
     }
     Put('\'');
-  } else if (plain) {
+  } else if (plain && closed) {
     for (const char c : written) {
       if (c != '\r') Put(c);
+    }
+  } else if (plain) {
+    at_ = begin;
+    Copy(1);
+    while (at_ < text_.size() && LineEnd() == 0) {
+      const size_t length = BlankedBackslashes();
+      length != 0 ? PutBlanks(length) : AtSplice() ? CopySplice() : Copy(1);
     }
   } else {
     Put('\'');  // not closed

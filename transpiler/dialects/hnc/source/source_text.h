@@ -42,8 +42,8 @@ struct SourceText {
   std::vector<Comment> comments;
   Findings findings;  // they count only outside groups that are left out
   std::vector<LineDirective> line_directives;
-  std::vector<Moved> moved;    // by place; empty without #line
-  bool unsigned_char = false;  // #pragma option -K
+  std::vector<Moved> moved;                   // by place; empty without #line
+  std::vector<source::Offset> unsigned_char;  // #pragma option -K: it counts outside groups that are left out
 
   /// The place in the file for a byte of `text`; 0 in a header of the product.
   source::Offset Original(uint32_t at) const;

@@ -13,10 +13,12 @@
 #include <clang/Parse/Parser.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 
 #include "transpiler/dialects/hnc/machine/machine.h"
 #include "transpiler/dialects/hnc/machine/product_names.h"
+#include "transpiler/dialects/hnc/parser/clang/diagnoser_rules.h"
 #include "transpiler/dialects/hnc/parser/clang/foreign_forms.h"
 #include "transpiler/dialects/hnc/syntax/characters.h"
 
@@ -25,258 +27,19 @@ namespace {
 
 namespace cd = clang::diag;
 
-/// Where the text of a message's parameter comes from, apart from the arguments 0, 1, ...
-constexpr int kToken = -1;  // the token at the place, in quotes
-constexpr int kWords = -2;  // Rule::words
-
-struct Rule {
-  unsigned id;
-  const diag::Message<diag::Text>* message;
-  int argument;
-  const char* words = "";
-};
-
-// What is not here goes by its category: lexical E007, syntax E001, meaning E018.
-const Rule kRules[] = {
-    // literals
-    {cd::ext_empty_character, &diag::HncCharacterConstant, kWords, "''"},
-    {cd::err_invalid_digit, &diag::HncConstantDigits, kToken},
-    {cd::err_integer_literal_too_large, &diag::HncConstantTooLarge, kToken},
-    {cd::ext_integer_literal_too_large_for_signed, &diag::HncConstantTooLarge, kToken},
-    {cd::err_character_too_large, &diag::HncCharacterConstant, kToken},
-    {cd::err_escape_too_large, &diag::HncEscape, kWords, "above 255"},
-    {cd::err_hex_escape_no_digits, &diag::HncEscape, kWords, "\\x without digits"},
-    {cd::ext_unknown_escape, &diag::HncEscape, 0},
-    {cd::ext_nonstandard_escape, &diag::HncEscape, 0},
-    {cd::err_enumerator_wrapped, &diag::HncConstantTooLarge, kToken},
-    // preprocessor
-    {cd::err_pp_hash_error, &diag::HncErrorDirective, 0},
-    {cd::err_pp_unterminated_conditional, &diag::HncUnterminatedConditional, kWords, "this #if"},
-    {cd::err_pp_empty_filename, &diag::HncCannotOpenInclude, kWords, ""},
-    {cd::ext_pp_redef_builtin_macro, &diag::HncMacroRedefined, kToken},
-    {cd::ext_pp_undef_builtin_macro, &diag::HncMacroRedefined, kToken},
-    {cd::err_pp_invalid_directive, &diag::HncPreprocessor, kWords, "unknown directive"},
-    {cd::ext_pp_warning_directive, &diag::HncPreprocessor, kWords, "unknown directive #warning"},
-    {cd::ext_pp_include_next_directive, &diag::HncPreprocessor, kWords, "unknown directive #include_next"},
-    {cd::ext_pp_ident_directive, &diag::HncPreprocessor, kWords, "unknown directive #ident"},
-    {cd::ext_pp_import_directive, &diag::HncPreprocessor, kWords, "unknown directive #import"},
-    {cd::ext_c23_pp_directive, &diag::HncPreprocessor, kWords, "unknown directive"},
-    {cd::err_pp_endif_without_if, &diag::HncPreprocessor, kWords, "#endif without #if"},
-    {cd::pp_err_else_without_if, &diag::HncPreprocessor, kWords, "#else without #if"},
-    {cd::pp_err_elif_without_if, &diag::HncPreprocessor, kWords, "#elif without #if"},
-    {cd::pp_err_else_after_else, &diag::HncPreprocessor, kWords, "a second #else"},
-    {cd::pp_err_elif_after_else, &diag::HncPreprocessor, kWords, "#elif behind #else"},
-    {cd::err_pp_division_by_zero, &diag::HncPreprocessor, kWords, "division by zero in #if"},
-    {cd::err_pp_remainder_by_zero, &diag::HncPreprocessor, kWords, "division by zero in #if"},
-    {cd::err_pp_expected_value_in_expr, &diag::HncPreprocessor, kWords, "a value is missing in #if"},
-    {cd::err_pp_expr_bad_token_start_expr, &diag::HncPreprocessor, kWords, "#if takes integer constants only"},
-    {cd::err_pp_expr_bad_token_binop, &diag::HncPreprocessor, kWords, "an operator is missing in #if"},
-    {cd::err_pp_expr_bad_token_lparen, &diag::HncPreprocessor, kWords, "no function-like macro of this name in #if"},
-    {cd::err_pp_illegal_floating_literal, &diag::HncPreprocessor, kWords, "floating constant in #if"},
-    {cd::err_pp_macro_not_identifier, &diag::HncPreprocessor, kWords, "a macro has a name"},
-    {cd::err_pp_missing_macro_name, &diag::HncPreprocessor, kWords, "the name of a macro is missing"},
-    {cd::ext_pp_line_zero, &diag::HncPreprocessor, kWords, "#line takes a number from 1 to 32767"},
-    {cd::ext_pp_line_too_big, &diag::HncPreprocessor, kWords, "#line takes a number from 1 to 32767"},
-    {cd::err_pp_stringize_not_parameter, &diag::HncPreprocessor, kWords, "behind '#' stands a parameter of the macro"},
-    {cd::err_pp_bad_paste, &diag::HncPreprocessor, kWords, "'##' does not join these to one token"},
-    {cd::err_pp_operator_used_as_macro_name, &diag::HncPreprocessor, kWords, "'defined' is no name of a macro"},
-    {cd::err_paste_at_start, &diag::HncPreprocessor, kWords, "'##' at the beginning of a macro"},
-    {cd::err_paste_at_end, &diag::HncPreprocessor, kWords, "'##' at the end of a macro"},
-    // names
-    {cd::err_undeclared_var_use, &diag::HncUndeclared, 0},
-    {cd::err_undeclared_use, &diag::HncUndeclared, 0},
-    {cd::err_unknown_typename, &diag::HncSyntaxAt, kToken},
-    {cd::err_no_member, &diag::HncNoMember, 0},
-    {cd::err_undeclared_label_use, &diag::HncUndefinedLabel, 0},
-    {cd::err_redefinition, &diag::HncRedefinition, 0},
-    {cd::err_redefinition_of_label, &diag::HncRedefinition, 0},
-    {cd::err_redefinition_of_enumerator, &diag::HncRedefinition, 0},
-    {cd::err_redefinition_different_kind, &diag::HncRedefinition, 0},
-    {cd::err_redefinition_different_type, &diag::HncRedefinition, 0},
-    {cd::err_redeclaration_different_type, &diag::HncRedefinition, 0},
-    {cd::err_redefinition_different_typedef, &diag::HncRedefinition, 2},
-    {cd::ext_redefinition_of_typedef, &diag::HncRedefinition, 0},
-    {cd::err_nested_redefinition, &diag::HncRedefinition, 0},
-    {cd::err_use_with_wrong_tag, &diag::HncRedefinition, 0},
-    {cd::err_param_redefinition, &diag::HncRedefinition, 0},
-    {cd::err_duplicate_member, &diag::HncRedefinition, 0},
-    {cd::err_static_non_static, &diag::HncRedefinition, 0},
-    {cd::err_non_static_static, &diag::HncRedefinition, 0},
-    {cd::err_extern_non_extern, &diag::HncRedefinition, 0},
-    {cd::err_non_extern_extern, &diag::HncRedefinition, 0},
-    {cd::err_conflicting_types, &diag::HncConflictingTypes, 0},
-    // places
-    {cd::err_duplicate_case, &diag::HncDuplicateCase, 0},
-    {cd::err_duplicate_case_differing_expr, &diag::HncDuplicateCase, 0},
-    {cd::err_break_not_in_loop_or_switch, &diag::HncMisplaced, kWords, "break"},
-    {cd::err_continue_not_in_loop, &diag::HncMisplaced, kWords, "continue"},
-    {cd::err_case_not_in_switch, &diag::HncMisplaced, kWords, "case"},
-    {cd::err_default_not_in_switch, &diag::HncMisplaced, kWords, "default"},
-    // what can be assigned
-    {cd::err_typecheck_assign_const, &diag::HncNotAssignable, kWords, "it is const"},
-    {cd::err_typecheck_expression_not_modifiable_lvalue, &diag::HncNotAssignable, kWords, "it is a value"},
-    {cd::err_typecheck_lvalue_casts_not_supported, &diag::HncNotAssignable, kWords, "a cast is a value"},
-    {cd::err_typecheck_non_object_not_modifiable_lvalue, &diag::HncNotAssignable, kWords, "a function is no variable"},
-    {cd::err_typecheck_incomplete_type_not_modifiable_lvalue, &diag::HncNotAssignable, kWords,
-     "an array is no variable"},
-    {cd::err_typecheck_invalid_lvalue_addrof, &diag::HncNotAssignable, kWords, "a value has no address"},
-    {cd::err_typecheck_address_of, &diag::HncNotAssignable, kWords, "it has no address"},
-    // constants
-    {cd::err_expr_not_ice, &diag::HncConstantRequired, kWords, "here"},
-    {cd::ext_expr_not_ice, &diag::HncConstantRequired, kWords, "here"},
-    {cd::err_init_element_not_constant, &diag::HncConstantRequired, kWords, "to initialise static data"},
-    {cd::err_decl_negative_array_size, &diag::HncConstantRequired, kWords, "that is not negative"},
-    {cd::err_typecheck_negative_array_size, &diag::HncConstantRequired, kWords, "that is not negative"},
-    {cd::err_array_size_non_int, &diag::HncConstantRequired, kWords, "as the size of an array"},
-    {cd::err_array_too_large, &diag::HncConstantRequired, kWords, "that is smaller"},
-    {cd::err_vla_decl_in_file_scope, &diag::HncConstantRequired, kWords, "as the size of an array"},
-    {cd::err_vla_decl_has_static_storage, &diag::HncConstantRequired, kWords, "as the size of an array"},
-    {cd::err_vm_decl_in_file_scope, &diag::HncConstantRequired, kWords, "as the size of an array"},
-    {cd::err_bitfield_width_exceeds_type_width, &diag::HncConstantRequired, kWords,
-     "as the width of a bit-field: too wide"},
-    {cd::err_anon_bitfield_has_negative_width, &diag::HncConstantRequired, kWords, "as the width of a bit-field"},
-    {cd::err_bitfield_has_negative_width, &diag::HncConstantRequired, kWords, "as the width of a bit-field"},
-    {cd::err_bitfield_has_zero_width, &diag::HncConstantRequired, kWords, "as the width of a bit-field with a name"},
-    {cd::err_ice_not_integral, &diag::HncConstantRequired, kWords, "of integer type"},
-    // sizes
-    {cd::err_typecheck_decl_incomplete_type, &diag::HncIncomplete, 0},
-    {cd::ext_typecheck_decl_incomplete_type, &diag::HncIncomplete, 0},
-    {cd::err_tentative_def_incomplete_type, &diag::HncIncomplete, 0},
-    {cd::err_sizeof_alignof_incomplete_or_sizeless_type, &diag::HncIncomplete, kWords,
-     "sizeof of something without a size"},
-    {cd::ext_sizeof_alignof_void_type, &diag::HncIncomplete, kWords, "sizeof of void"},
-    {cd::ext_sizeof_alignof_function_type, &diag::HncIncomplete, kWords, "sizeof of a function"},
-    {cd::err_sizeof_alignof_function_type, &diag::HncIncomplete, kWords, "sizeof of a function"},
-    {cd::err_field_incomplete_or_sizeless, &diag::HncIncomplete, 0},
-    {cd::err_array_incomplete_or_sizeless_type, &diag::HncIncomplete, 0},
-    {cd::err_typecheck_incomplete_array_needs_initializer, &diag::HncIncomplete, kWords, "an array without a size"},
-    {cd::err_typecheck_incomplete_tag, &diag::HncIncomplete, 0},
-    {cd::err_incomplete_type, &diag::HncIncomplete, 0},
-    {cd::err_dereference_incomplete_type, &diag::HncIncomplete, 0},
-    {cd::err_subscript_incomplete_or_sizeless_type, &diag::HncIncomplete, 0},
-    {cd::err_typecheck_arithmetic_incomplete_or_sizeless_type, &diag::HncIncomplete, 0},
-    {cd::err_typecheck_cast_to_incomplete, &diag::HncIncomplete, 0},
-    {cd::err_call_incomplete_argument, &diag::HncIncomplete, 0},
-    {cd::err_call_incomplete_return, &diag::HncIncomplete, 0},
-    {cd::err_call_function_incomplete_return, &diag::HncIncomplete, 0},
-    {cd::err_func_def_incomplete_result, &diag::HncIncomplete, 0},
-    {cd::err_param_with_void_type, &diag::HncIncomplete, kWords, "a parameter of type void"},
-    {cd::ext_gnu_void_ptr, &diag::HncIncomplete, kWords, "arithmetic with a pointer to void"},
-    {cd::ext_gnu_ptr_func_arith, &diag::HncIncomplete, kWords, "arithmetic with a pointer to a function"},
-    {cd::ext_gnu_subscript_void_type, &diag::HncIncomplete, kWords, "an element of void"},
-    {cd::ext_typecheck_indirection_through_void_pointer, &diag::HncIncomplete, kWords, "'*' of a pointer to void"},
-    {cd::ext_forward_ref_enum, &diag::HncIncomplete, kWords, "the enumeration is not defined yet"},
-    {cd::ext_flexible_array_in_struct, &diag::HncIncomplete, 0},
-    {cd::ext_c99_flexible_array_member, &diag::HncIncomplete, 0},
-    // types
-    {cd::ext_excess_initializers, &diag::HncIncompatible, kWords, "more initialisers than there is room for"},
-    {cd::ext_excess_initializers_in_char_array_initializer, &diag::HncIncompatible, kWords,
-     "more initialisers than there is room for"},
-    {cd::err_excess_initializers, &diag::HncIncompatible, kWords, "more initialisers than there is room for"},
-    {cd::ext_initializer_string_for_char_array_too_long, &diag::HncIncompatible, kWords,
-     "the string is longer than the array"},
-    {cd::err_initializer_string_for_char_array_too_long, &diag::HncIncompatible, kWords,
-     "the string is longer than the array"},
-    {cd::err_array_init_not_init_list, &diag::HncIncompatible, kWords, "an array is initialised with { } or a string"},
-    {cd::ext_typecheck_convert_discards_qualifiers, &diag::HncIncompatible, kWords, "const or volatile is lost"},
-    {cd::ext_typecheck_comparison_of_distinct_pointers, &diag::HncIncompatible, kWords,
-     "pointers to different types are compared"},
-    {cd::ext_typecheck_cond_incompatible_pointers, &diag::HncIncompatible, kWords,
-     "pointers to different types behind '?'"},
-    {cd::ext_return_has_expr, &diag::HncIncompatible, kWords, "a value is returned from a void function"},
-    {cd::ext_return_has_void_expr, &diag::HncIncompatible, kWords, "a void function returns nothing"},
-    {cd::err_typecheck_member_reference_struct_union, &diag::HncIncompatible, kWords, "'.' needs a struct or union"},
-    {cd::err_typecheck_member_reference_arrow, &diag::HncIncompatible, kWords,
-     "'->' needs a pointer to a struct or union"},
-    {cd::err_typecheck_member_reference_suggestion, &diag::HncIncompatible, kWords,
-     "'.' needs a struct, '->' a pointer to one"},
-    {cd::err_typecheck_call_not_function, &diag::HncIncompatible, kWords, "what is called is no function"},
-    {cd::err_not_integral_type_bitfield, &diag::HncIncompatible, kWords, "a bit-field is int, unsigned or char"},
-    {cd::err_not_integral_type_anon_bitfield, &diag::HncIncompatible, kWords, "a bit-field is int, unsigned or char"},
-    {cd::ext_typecheck_cond_one_void, &diag::HncIncompatible, kWords, "one side of ':' is void"},
-    // accepted
-    {cd::ext_c_label_end_of_compound_statement, &diag::HncWithoutMeaning, kWords, "a label without a statement"},
-};
-
-/// What the language does not have (3.5), and what to write.
-struct Extension {
-  unsigned id;
-  const char* words;
-  const char* remedy;
-};
-
-constexpr const char* kFixedParameters = "give the macro a fixed number of parameters";
-constexpr const char* kInOrder = "write the values in their order, without names, and 0 for what is left out";
-constexpr const char* kAMember = "write a member into it";
-constexpr const char* kMemberName = "write a name between its '}' and the ';'";
-constexpr const char* kStatementsBefore = "write them as statements in front of this one, or as a function";
-
-const Extension kExtensions[] = {
-    {cd::ext_variadic_macro, "macro with any number of arguments", kFixedParameters},
-    {cd::ext_named_variadic_macro, "macro with any number of arguments", kFixedParameters},
-    {cd::ext_vla, "array of variable length", "write a constant size that is large enough"},
-    {cd::ext_typecheck_zero_array_size, "array without elements", "write a size of at least 1"},
-    {cd::ext_designated_init, "designated initialiser", kInOrder},
-    {cd::ext_gnu_array_range, "designated initialiser", kInOrder},
-    {cd::ext_gnu_missing_equal_designator, "designated initialiser", kInOrder},
-    {cd::ext_gnu_old_style_field_designator, "designated initialiser", kInOrder},
-    {cd::ext_c_empty_initializer, "empty initialiser", "write {0}"},
-    {cd::ext_mixed_decls_code, "declaration behind a statement",
-     "move it to the beginning of its block, and write the initial value as an assignment here"},
-    {cd::ext_c99_variable_decl_in_for_loop, "declaration in the head of for",
-     "declare the variable at the beginning of the block, and assign it in the head"},
-    {cd::ext_empty_struct_union, "struct or union without members", kAMember},
-    {cd::ext_no_named_members_in_struct_union, "struct or union without members", kAMember},
-    {cd::ext_c11_anonymous_struct, "struct without a name as a member", kMemberName},
-    {cd::ext_gnu_anonymous_struct, "struct without a name as a member", kMemberName},
-    {cd::ext_gnu_case_range, "range of cases", "write a case for each value, or an if in front of the switch"},
-    {cd::ext_gnu_statement_expr, "statements in an expression", kStatementsBefore},
-    {cd::ext_gnu_statement_expr_macro, "statements in an expression", kStatementsBefore},
-    {cd::ext_gnu_conditional_expr, "'?:' without its middle operand", "write the condition between '?' and ':' again"},
-    {cd::ext_gnu_indirect_goto, "computed goto", "write a switch with a goto in each case"},
-    {cd::ext_gnu_address_of_label, "address of a label", "keep a number, and write a switch with a goto in each case"},
-    {cd::ext_c99_compound_literal, "compound literal",
-     "declare a variable with this initialiser, and write its name here"},
-    {cd::ext_c99_longlong, "long long", "write long, which has 32 bits"},
-    {cd::ext_typecheck_cast_to_union, "cast to a union", "assign to the member of a union variable"},
-    {cd::ext_imaginary_constant, "imaginary constant", "write a real number"},
-    {cd::ext_c99_array_usage, "static or qualifier in an array", "write the size alone, or a pointer"},
-};
-
-/// Diagnostics that other code of ours reports, or that mean nothing here.
-bool IsFoundElsewhere(unsigned id) {
-  switch (id) {
-    case cd::err_pp_file_not_found:  // MissingInclude
-    case cd::err_pp_file_not_found_angled_include_not_fatal:
-    case cd::err_pp_include_too_deep:
-    case cd::warn_pp_undef_identifier:
-    case cd::ext_pp_macro_redef:      // the preprocessor's watcher: blanks do not count
-    case cd::ext_enum_value_not_int:  // enumerators in the tree
-    case cd::ext_enumerator_increment_too_large:
-    case cd::ext_typecheck_convert_pointer_int:  // from here: conversions in the tree
-    case cd::err_typecheck_convert_pointer_int:
-    case cd::ext_typecheck_convert_int_pointer:
-    case cd::err_typecheck_convert_int_pointer:
-    case cd::ext_typecheck_cond_pointer_integer_mismatch:
-    case cd::ext_typecheck_comparison_of_pointer_integer:
-    case cd::err_typecheck_comparison_of_pointer_integer:
-    case cd::ext_typecheck_ordered_comparison_of_pointer_integer:
-    case cd::ext_typecheck_convert_incompatible_function_pointer:
-    case cd::err_typecheck_convert_incompatible_function_pointer:
-    case cd::ext_return_missing_expr:  // W25
-    case cd::warn_return_missing_expr:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// Clang walks through all that was declared of a name before, wrong or not: reading on would grow with the square of
 /// the errors. Far more than the 50 that are shown.
 constexpr uint32_t kMostErrors = 1000;
 
 /// Clang's own words for what is accepted are warnings that no rule names.
 bool IsError(clang::DiagnosticsEngine::Level level) { return level >= clang::DiagnosticsEngine::Error; }
+
+bool IsRefused(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& info) {
+  if (IsError(level)) return true;
+  if (!clang::DiagnosticIDs::isBuiltinExtensionDiag(info.getID()) || IsAccepted(info.getID())) return false;
+  constexpr int kOutsideFunction = 0;
+  return info.getID() != cd::ext_extra_semi || info.getRawArg(0) != kOutsideFunction;
+}
 
 }  // namespace
 
@@ -343,13 +106,12 @@ std::string Diagnoser::TokenAt(source::Range range) const {
 }
 
 bool Diagnoser::ByTable(const clang::Diagnostic& info) {
-  if (const Extension* form = std::ranges::find(kExtensions, info.getID(), &Extension::id);
-      form != std::end(kExtensions)) {
+  if (const Extension* form = FindExtension(info.getID())) {
     session_.findings().Report(RangeOf(info), diag::HncExtension, form->words, form->remedy);
     return true;
   }
-  const Rule* rule = std::ranges::find(kRules, info.getID(), &Rule::id);
-  if (rule == std::end(kRules)) return false;
+  const Rule* rule = FindRule(info.getID());
+  if (rule == nullptr) return false;
   const source::Range range = RangeOf(info);
   std::string text = rule->words;
   if (rule->argument == kToken) text = TokenAt(range);
@@ -418,6 +180,9 @@ bool Diagnoser::Calls(const clang::Diagnostic& info) {
                                  info.getNumRanges() > 0
                                      ? Quoted(Written(session_.places.Of(info.getRange(0).getAsRange())))
                                      : TokenAt(RangeOf(info)));
+      return true;
+    case cd::ext_param_promoted_not_compatible_with_prototype:
+      session_.findings().Report(RangeOf(info), diag::HncConflictingTypes, Written(RangeOf(info)));
       return true;
     case cd::err_function_definition_not_allowed:
       session_.findings().Report(RangeOf(info), diag::HncFunctionInside);
@@ -524,6 +289,21 @@ bool Diagnoser::Conversions(const clang::Diagnostic& info) {
   }
 }
 
+/// What was no constant for Clang only overflows: it wraps, with a warning (6.2).
+void Diagnoser::AcceptOverflow(const clang::Diagnostic& info) {
+  is_folded_ = false;
+  reported_last_ = false;
+  const source::Range range = session_.findings().all().back().range;
+  session_.findings().all().pop_back();
+  int64_t value = 0;
+  const std::string digits = ArgumentText(info, 0);
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const auto type = clang::QualType::getFromOpaquePtr(reinterpret_cast<void*>(info.getRawArg(1)));
+  const bool is_long = session_.clang.getASTContext().getTypeSize(type) > 16;
+  const int64_t wrapped = is_long ? static_cast<int32_t>(value) : static_cast<int16_t>(value);
+  session_.findings().Report(range, diag::HncConstantOverflow, std::to_string(wrapped));
+}
+
 /// "the other one": Clang's notes that name an earlier declaration or bracket.
 void Diagnoser::AddNote(const clang::Diagnostic& info) {
   const bool wild_shift =
@@ -535,6 +315,7 @@ void Diagnoser::AddNote(const clang::Diagnostic& info) {
     return;
   }
   if (!reported_last_ || session_.places.InProduct(info.getLocation())) return;
+  if (is_folded_ && info.getID() == cd::note_constexpr_overflow) return AcceptOverflow(info);
   const auto add = [&](const char* text) {
     session_.findings().all().back().notes.push_back({session_.places.OfToken(info.getLocation()), text});
   };
@@ -568,7 +349,7 @@ void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const cl
   if (info.getID() == cd::warn_implicit_function_decl || info.getID() == cd::ext_implicit_function_decl_c99) {
     session_.output.open_names.push_back(ArgumentText(info, 0));
   }
-  reported_last_ = false;
+  reported_last_ = is_folded_ = false;
   // Accepted, but not with each operation: the note after it tells.
   folded_size_ = info.getID() == cd::ext_vla_folded_to_constant ? RangeOf(info) : source::Range{};
   if (session_.stopped || IsFoundElsewhere(info.getID())) return;
@@ -579,7 +360,7 @@ void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const cl
   const bool lexical = category.starts_with("Lexical"), syntactic = category.starts_with("Parse");
   session_.findings().SetPhase(lexical ? Phase::kText : syntactic ? Phase::kSyntax : Phase::kMeaning);
   const bool known = ByTable(info) || Unfinished(info) || Calls(info) || Operands(info) || Conversions(info);
-  if (!known && IsError(level)) {
+  if (!known && IsRefused(level, info)) {
     if (lexical) {
       session_.findings().Report(RangeOf(info), diag::HncPreprocessor, "this cannot be read");
     } else if (syntactic) {
@@ -589,6 +370,7 @@ void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const cl
     }
   }
   reported_last_ = session_.findings().all().size() > before;
+  is_folded_ = reported_last_ && info.getID() == cd::ext_expr_not_ice;
   last_is_in_product_ = session_.places.InProduct(info.getLocation());
   if (session_.parser == nullptr || !reported_last_) return;
   if (session_.findings().all().back().row.severity == diag::Severity::kError && ++errors_ == kMostErrors)

@@ -41,6 +41,7 @@ class Diagnoser : public clang::DiagnosticConsumer {
   std::string NameAfter(source::Offset place) const;
   /// The name in reach that is most like this one; empty: none is.
   std::string NearDeclared(const std::string& name);
+  void AcceptOverflow(const clang::Diagnostic& info);
   void AddNote(const clang::Diagnostic& info);
 
   source::Range RangeOf(const clang::Diagnostic& info) const;
@@ -54,6 +55,7 @@ class Diagnoser : public clang::DiagnosticConsumer {
   uint32_t near_searches_ = 0;
   uint32_t errors_ = 0;              // of the parser
   source::Range folded_size_;        // of an array, where the last diagnostic was of that
+  bool is_folded_ = false;           // the last finding is of what Clang can compute all the same
   bool reported_last_ = false;       // a note belongs to the last finding
   bool last_is_in_product_ = false;  // where its header disagrees with what the program says of a name before
 };

@@ -9,6 +9,19 @@
 #include "transpiler/dialects/hnc/parser/clang/variable_converter.h"
 
 namespace plcxx::hnc {
+namespace {
+
+/// `-f` has the type of f (6.2); Clang widens the operand there, too.
+bool IsSignOfFloat(const clang::Expr* expr) {
+  const auto* sign = llvm::dyn_cast<clang::UnaryOperator>(expr->IgnoreParens());
+  if (sign == nullptr || (sign->getOpcode() != clang::UO_Minus && sign->getOpcode() != clang::UO_Plus)) return false;
+  const auto* wide = llvm::dyn_cast<clang::ImplicitCastExpr>(sign->getSubExpr());
+  if (wide == nullptr) return IsSignOfFloat(sign->getSubExpr());
+  return wide->getCastKind() == clang::CK_FloatingCast &&
+         wide->getSubExpr()->getType()->isSpecificBuiltinType(clang::BuiltinType::Float);
+}
+
+}  // namespace
 
 ExprId ExpressionConverter::Operand(const clang::Expr* expr) { return promotions_.Promoted(AnyExpression(expr), expr); }
 
@@ -43,6 +56,10 @@ ExprId ExpressionConverter::AnyExpression(const clang::Expr* expr) {
   if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr)) return MemberAccess(member);
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return calls_.CallOf(call);
   if (const auto* size = llvm::dyn_cast<clang::UnaryExprOrTypeTraitExpr>(expr)) {
+    if (size->getKind() == clang::UETT_SizeOf && !size->isArgumentType() && IsSignOfFloat(size->getArgumentExpr())) {
+      NoteThatClangDiffers("-f, where f is a float, has the type double to Clang, and so another size");
+      return builder_.Integer(expr, context_.getTypeSizeInChars(context_.FloatTy).getQuantity());
+    }
     clang::Expr::EvalResult value;
     if (size->EvaluateAsInt(value, context_)) return builder_.Integer(expr, value.Val.getInt().getExtValue());
     return builder_.Poison(expr);

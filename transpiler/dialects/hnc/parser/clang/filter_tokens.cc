@@ -5,7 +5,10 @@
 #include <llvm/ADT/DenseSet.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdio>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -73,6 +76,7 @@ class Filter {
     in_.swap(session_.tokens);
     session_.tokens.reserve(in_.size() + in_.size() / 16);
     while (at_ < in_.size() && !session_.stopped) Next();
+    CompareNames();
     if (last_.isValid()) session_.output.unit.last_token = session_.places.OfToken(last_);
     Close();
   }
@@ -115,9 +119,10 @@ class Filter {
   void Enumeration();
   void LongDouble();
   void Number();
+  clang::Token InOrder(const clang::Token& token) const;
   void Character();
   void String();
-  void CheckLength(const std::string& name);
+  void CompareNames();
   void Close();
 
   Session& session_;
@@ -132,8 +137,7 @@ class Filter {
   size_t parentheses_ = 0;
   bool behind_bracket_ = false;
   unsigned enumerations_ = 0;
-  llvm::DenseSet<const clang::IdentifierInfo*> plain_;       // names that are nothing else
-  std::unordered_map<std::string, std::string> long_names_;  // by their significant letters; only asked
+  llvm::DenseSet<const clang::IdentifierInfo*> plain_;  // names that are nothing else
 };
 
 void Filter::Next() {
@@ -226,7 +230,7 @@ void Filter::Identifier() {
   if (token.is(tok::kw_enum)) return Enumeration();
   if (token.isOneOf(tok::kw_long, tok::kw_double)) return LongDouble();
   if (token.is(tok::identifier)) {
-    CheckLength(name);
+    session_.NoteName(name, token.getLocation());
     if (name.size() < kSignificantLetters && word == Words().end()) plain_.insert(token.getIdentifierInfo());
   }
   Put(token);
@@ -358,7 +362,7 @@ void Filter::Enumeration() {
   Put(Peek());
   ++at_;
   if (Peek().is(tok::identifier)) {
-    CheckLength(Peek().getIdentifierInfo()->getName().str());
+    session_.NoteName(Peek().getIdentifierInfo()->getName().str(), Peek().getLocation());
     Put(Peek());
     ++at_;
   }
@@ -458,11 +462,26 @@ void Filter::Number() {
   Put(token);
 }
 
+/// Two characters that stand as they are written (source_text.h): the first one is the low byte.
+clang::Token Filter::InOrder(const clang::Token& token) const {
+  constexpr size_t kTwo = 4;
+  if (token.getLength() != kTwo) return token;
+  const std::string text = Spelling(token);
+  if (text.size() != kTwo || text[1] == '\\') return token;
+  std::string swapped = "'";
+  for (const size_t at : {2, 1}) {
+    std::array<char, 8> octal{};
+    std::snprintf(octal.data(), octal.size(), "\\%03o", static_cast<unsigned>(static_cast<unsigned char>(text[at])));
+    swapped += octal.data();
+  }
+  return MadeLiteral(token, swapped + "'", tok::char_constant);
+}
+
 void Filter::Character() {
   const clang::Token token = Peek();
   last_ = token.getLocation();
   ++at_;
-  if (token.is(tok::char_constant)) return Put(token);
+  if (token.is(tok::char_constant)) return Put(InOrder(token));
   session_.findings().Report(RangeOf(token), diag::HncExtension, Spelling(token), kWithoutPrefix);
   Put(MadeLiteral(token, "0", tok::numeric_constant));
 }
@@ -477,12 +496,18 @@ void Filter::String() {
 }
 
 /// Names that agree in their significant letters are one name for the original compiler.
-void Filter::CheckLength(const std::string& name) {
-  if (name.size() < kSignificantLetters) return;
-  session_.output.can_keep = false;  // which of two is reported depends on what stands in front
-  const auto [known, is_new] = long_names_.emplace(name.substr(0, kSignificantLetters), name);
-  if (is_new || known->second == name) return;
-  session_.findings().Report(RangeOf(Peek()), diag::HncNameLength, name, known->second);
+void Filter::CompareNames() {
+  std::vector<Session::LongName>& names = session_.long_names;
+  std::ranges::stable_sort(names, [&](const Session::LongName& a, const Session::LongName& b) {
+    return session_.sources().isBeforeInTranslationUnit(a.place, b.place);
+  });
+  std::unordered_map<std::string, std::string> first;  // by the significant letters
+  std::set<std::string> reported;
+  for (const auto& [name, place] : names) {
+    const auto [known, is_new] = first.emplace(name.substr(0, kSignificantLetters), name);
+    if (is_new || known->second == name || !reported.insert(name).second) continue;
+    session_.findings().Report(session_.places.OfToken(place), diag::HncNameLength, name, known->second);
+  }
 }
 
 /// Clang may look at some tokens after the last one.
@@ -498,6 +523,12 @@ void Filter::Close() {
 }
 
 }  // namespace
+
+void Session::NoteName(const std::string& name, clang::SourceLocation place) {
+  if (name.size() < kSignificantLetters || places.InProduct(place)) return;
+  output.can_keep = false;  // which of two is reported depends on what stands in front
+  long_names.push_back({name, place});
+}
 
 void FilterTokens(Session& session) { Filter(session).Run(); }
 

@@ -64,6 +64,7 @@ constexpr MeantWord kForeignNames[] = {
 
 /// Extensions that are words; what is not here says nothing that the program needs.
 constexpr MeantWord kExtensionWords[] = {
+    {"_Pragma", "write #pragma on a line of its own"},
     {"__int64", "write long, which has 32 bits"},
     {"_int64", "write long, which has 32 bits"},
     {"__int128", "write long, which has 32 bits"},

@@ -89,7 +89,10 @@ void FunctionConverter::CheckFunction(const clang::FunctionDecl* function) {
   }
   // A definition takes the place of the product's function, if it has the same type; headers compare it themselves.
   const auto* expected = Expected<clang::FunctionDecl>(function->getNameAsString());
-  if (expected == nullptr || FindSystemFunction(name) == nullptr) return;
+  const FunctionRow* row = FindSystemFunction(name);
+  if (expected == nullptr || row == nullptr) return;
+  // Without its header a name of the library is a name like others (6.11).
+  if (function->getDefinition() != nullptr && !IsDeclaredBy(*row, "plc.h")) return;
   if (body || function->getType()->isFunctionProtoType()) {
     const bool fits = context_.typesAreCompatible(function->getType(), expected->getType());
     const bool mst = name == "set_mst_func";

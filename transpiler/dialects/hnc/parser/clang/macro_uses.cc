@@ -6,7 +6,7 @@
 namespace plcxx::hnc {
 namespace {
 
-constexpr size_t kNear = 8;  // after the last one, that are looked at before all are searched
+constexpr size_t kNearUses = 8;  // after the last one, that are looked at before all are searched
 
 source::Offset PlaceOf(const std::pair<source::Offset, MacroUseId>& use) { return use.first; }
 
@@ -19,7 +19,7 @@ void MacroUses::Sort() {
 MacroUseId MacroUses::At(source::Offset begin) {
   if (uses_.empty()) return {};
   size_t at = last_;
-  for (size_t i = 0; i < kNear && at + 1 < uses_.size() && uses_[at + 1].first <= begin; ++i) ++at;
+  for (size_t i = 0; i < kNearUses && at + 1 < uses_.size() && uses_[at + 1].first <= begin; ++i) ++at;
   const bool is_last_before = at + 1 == uses_.size() || uses_[at + 1].first > begin;
   if (uses_[at].first > begin || !is_last_before) {
     const auto next = std::ranges::upper_bound(uses_, begin, {}, PlaceOf);

@@ -73,6 +73,18 @@ bool IsTableElement(const clang::Expr* expr) {
   return system && RowOf(system->area).table;
 }
 
+/// `f += l` is computed in double like `f + l` (6.1): of an operand on the left Clang keeps float, and would round l to
+/// one. Its tree is mended here, before code is made of it.
+void ComputeInDouble(const clang::CompoundAssignOperator* expr, const clang::ASTContext& context) {
+  const auto* number = llvm::dyn_cast<clang::ImplicitCastExpr>(expr->getRHS());
+  if (number == nullptr || number->getCastKind() != clang::CK_IntegralToFloating) return;
+  if (!expr->getComputationLHSType()->isSpecificBuiltinType(clang::BuiltinType::Float)) return;
+  auto* computed = const_cast<clang::CompoundAssignOperator*>(expr);
+  const_cast<clang::ImplicitCastExpr*>(number)->setType(context.DoubleTy);
+  computed->setComputationLHSType(context.DoubleTy);
+  computed->setComputationResultType(context.DoubleTy);
+}
+
 }  // namespace
 
 bool OperatorConverter::ReportTableStore(const clang::Expr* target) {
@@ -82,12 +94,14 @@ bool OperatorConverter::ReportTableStore(const clang::Expr* target) {
   return true;
 }
 
-/// A pointer compared with a number other than 0.
+/// A pointer compared with a number: with 0 only as equal or not.
 bool OperatorConverter::ReportComparedAddress(const clang::BinaryOperator* expr) {
   if (!expr->isComparisonOp()) return false;
-  const auto becomes_pointer = [](const clang::Expr* operand) {
+  const auto becomes_pointer = [&](const clang::Expr* operand) {
     const auto* cast = llvm::dyn_cast<clang::ImplicitCastExpr>(operand);
-    return cast != nullptr && cast->getCastKind() == clang::CK_IntegralToPointer;
+    if (cast == nullptr) return false;
+    return cast->getCastKind() == clang::CK_IntegralToPointer ||
+           (cast->getCastKind() == clang::CK_NullToPointer && expr->isRelationalOp());
   };
   const clang::Expr* pointer = becomes_pointer(expr->getLHS())   ? expr->getRHS()
                                : becomes_pointer(expr->getRHS()) ? expr->getLHS()
@@ -178,6 +192,7 @@ ExprId OperatorConverter::CompoundAssignment(const clang::CompoundAssignOperator
     findings().Report(range, diag::HncPointerAsValue, "'" + Written(range) + "' is an address");
     return builder_.Poison(expr);
   }
+  ComputeInDouble(expr, context_);
   Expr result = builder_.Start(ExprKind::kCompoundAssign, expr);
   result.is_lvalue = false;
   result.op = session_.places.OfToken(expr->getOperatorLoc());

@@ -5,10 +5,12 @@
 #include <clang/Lex/Preprocessor.h>
 #include <clang/Parse/ParseAST.h>
 #include <clang/Parse/Parser.h>
+#include <clang/Sema/Scope.h>
 #include <clang/Sema/Sema.h>
 
 #include <memory>
 #include <unordered_map>
+#include <vector>
 
 #include "transpiler/dialects/hnc/parser/clang/converter.h"
 #include "transpiler/dialects/hnc/parser/clang/record_layout.h"
@@ -81,6 +83,17 @@ void Run(const ParserInput& input, ParseUntil until, ParserOutput& output) {
   if (session.stopped) output.can_keep = output.kept_fits = false;
 }
 
+/// Clang declares names of its own before the first token.
+void ForgetOwnNames(clang::Sema& sema) {
+  const std::vector<clang::Decl*> declarations(sema.TUScope->decls().begin(), sema.TUScope->decls().end());
+  for (clang::Decl* declaration : declarations) {
+    auto* named = llvm::dyn_cast<clang::NamedDecl>(declaration);
+    if (named == nullptr || !named->getDeclName()) continue;
+    sema.TUScope->RemoveDecl(named);
+    sema.IdResolver.RemoveDecl(named);
+  }
+}
+
 /// What a body declares, and what is declared at file level, too, or in other bodies: they are one object.
 void CollectOpenNames(Session& session) {
   const clang::ASTContext& context = session.clang.getASTContext();
@@ -127,6 +140,7 @@ void ParseTokens(Session& session) {
     clang::Parser parser(preprocessor, sema, /*SkipFunctionBodies=*/false);
     session.parser = &parser;
     parser.Initialize();
+    ForgetOwnNames(sema);
     clang::Parser::DeclGroupPtrTy group;
     clang::Sema::ModuleImportState imports = clang::Sema::ModuleImportState::NotACXX20Module;
     clang::ASTConsumer& consumer = clang.getASTConsumer();

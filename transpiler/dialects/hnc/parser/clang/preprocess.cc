@@ -66,6 +66,7 @@ class Watcher : public clang::PPCallbacks {
 
   void MacroDefined(const clang::Token& name, const clang::MacroDirective* macro) override {
     if (session_.places.InProduct(name.getLocation())) return;
+    NoteName(name);
     const clang::MacroDirective* before = macro->getPrevious();
     const bool defined = before != nullptr && before->getKind() == clang::MacroDirective::MD_Define;
     if (defined && !IsSame(*before->getMacroInfo(), *macro->getMacroInfo())) {
@@ -95,6 +96,23 @@ class Watcher : public clang::PPCallbacks {
     session_.output.left_out.push_back({session_.places.Of(range.getBegin()), session_.places.Of(range.getEnd())});
   }
 
+  void MacroUndefined(const clang::Token& name, const clang::MacroDefinition& /*macro*/,
+                      const clang::MacroDirective* /*undefined*/) override {
+    NoteName(name);
+  }
+  void Defined(const clang::Token& name, const clang::MacroDefinition& /*macro*/,
+               clang::SourceRange /*range*/) override {
+    NoteName(name);
+  }
+  void Ifdef(clang::SourceLocation /*place*/, const clang::Token& name,
+             const clang::MacroDefinition& /*macro*/) override {
+    NoteName(name);
+  }
+  void Ifndef(clang::SourceLocation /*place*/, const clang::Token& name,
+              const clang::MacroDefinition& /*macro*/) override {
+    NoteName(name);
+  }
+
   void PragmaDirective(clang::SourceLocation place, clang::PragmaIntroducerKind introducer) override;
 
   /// The uses of macros in a body that the text does not have.
@@ -120,6 +138,10 @@ class Watcher : public clang::PPCallbacks {
   }
 
  private:
+  void NoteName(const clang::Token& name) {
+    session_.NoteName(name.getIdentifierInfo()->getName().str(), name.getLocation());
+  }
+  void ReadPragma(clang::SourceLocation place);
   /// The same parameters and the same tokens, however they are spaced.
   bool IsSame(const clang::MacroInfo& a, const clang::MacroInfo& b) const {
     const bool same_kind = a.isFunctionLike() == b.isFunctionLike() && a.isVariadic() == b.isVariadic();
@@ -150,12 +172,14 @@ class Watcher : public clang::PPCallbacks {
   std::unordered_map<const clang::MacroInfo*, MacroId> ids_;  // only asked
 };
 
-void Watcher::PragmaDirective(clang::SourceLocation place, clang::PragmaIntroducerKind introducer) {
+/// All that a pragma does is done here: Clang has meanings of its own for many of them.
+void Watcher::PragmaDirective(clang::SourceLocation place, clang::PragmaIntroducerKind /*introducer*/) {
+  ReadPragma(place);
+  preprocessor_.DiscardUntilEndOfDirective();
+}
+
+void Watcher::ReadPragma(clang::SourceLocation place) {
   const source::Range range = session_.places.OfToken(place);
-  if (introducer != clang::PIK_HashPragma) {
-    session_.findings().Report(range, diag::HncExtension, "_Pragma", "write #pragma on a line of its own");
-    return;
-  }
   const auto [file, offset] = session_.sources().getDecomposedExpansionLoc(place);
   std::string_view line = session_.sources().getBufferData(file).substr(offset);
   size_t end = line.find('\n');
@@ -208,6 +232,7 @@ class Limit {
  private:
   void Count(const clang::Token& token) {
     ++tokens_;
+    if (token.is(clang::tok::numeric_constant) && preprocessor_.isParsingIfOrElifDirective()) LeaveOutSuffix(token);
     const bool too_long =
         !token.isAnnotation() && token.getLength() > kMostCharacters && token.getLocation().isMacroID();
     if (too_long) Stop(token, "macros make a token of more than " + std::to_string(kMostCharacters) + " characters");
@@ -220,6 +245,16 @@ class Limit {
     // From here on every token is the last one: each argument that is being expanded ends at once, and then the file.
     // A directive still ends where its line does.
     if (token.isNot(clang::tok::eod)) const_cast<clang::Token&>(token).setKind(clang::tok::eof);
+  }
+
+  /// #if computes in signed long (2.7); Clang would compute with what is written as unsigned in its unsigned type.
+  void LeaveOutSuffix(const clang::Token& token) const {
+    const std::string text = preprocessor_.getSpelling(token);
+    std::string suffix = text.substr(text.find_last_not_of("uUlL") + 1);
+    std::ranges::transform(suffix, suffix.begin(), [](char c) { return c == 'U' || c == 'u' ? 'u' : 'l'; });
+    if (suffix != "u" && suffix != "ul" && suffix != "lu") return;
+    preprocessor_.CreateString(text.substr(0, text.size() - suffix.size()), const_cast<clang::Token&>(token),
+                               token.getLocation(), token.getLocation());
   }
 
   void Stop(const clang::Token& token, const std::string& why) {
@@ -250,7 +285,7 @@ void Preprocess(Session& session) {
   auto made = std::make_unique<Watcher>(session);
   Watcher& watcher = *made;
   preprocessor.addPPCallbacks(std::move(made));
-  preprocessor.IgnorePragmas();  // the watcher has seen them
+  preprocessor.setPragmasEnabled(false);  // the watcher reads them
   preprocessor.EnterMainSourceFile();
   const Limit limit(session);
   // As many as bytes where no macro makes more of them; what is not used costs nothing.

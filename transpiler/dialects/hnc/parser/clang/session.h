@@ -79,6 +79,12 @@ struct Session {
   const clang::Parser* parser = nullptr;  // while it runs
   std::vector<clang::Token> tokens;       // after the preprocessor and the language's own words
   MacroUses macro_uses;
+  /// Names whose letters are not all significant (2.3), of macros, too, and where they stand.
+  struct LongName {
+    std::string name;
+    clang::SourceLocation place;
+  };
+  std::vector<LongName> long_names;
   std::vector<LoopBound> loop_bounds;  // #pragma plcxx loop_bound, by place
   std::vector<uint32_t>
       elided_uses;  // by index into KeptBodies::elided: the first of its macro uses, once it was passed
@@ -87,6 +93,7 @@ struct Session {
   bool stopped = false;  // nested too deep, too many errors: what follows the place is not looked at
 
   Findings& findings() { return output.findings; }
+  void NoteName(const std::string& name, clang::SourceLocation place);
   /// Index into KeptBodies::elided of the body whose '{' is there; kNotElided: it is in the text.
   static constexpr uint32_t kNotElided = UINT32_MAX;
   uint32_t ElidedAt(source::Offset brace) const;

@@ -10,8 +10,10 @@
 #include <llvm/Support/VirtualFileSystem.h>
 #include <llvm/TargetParser/Triple.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "transpiler/dialects/hnc/machine/headers.h"
 #include "transpiler/dialects/hnc/machine/product_names.h"
@@ -79,9 +81,8 @@ class TextFileSystem : public llvm::vfs::FileSystem {
   const ParserInput& input_;
 };
 
-/// For what Clang computes itself: floating arithmetic is done in double (6.2), and variables keep their names.
+/// For what Clang computes itself: sums stay apart from products, and variables keep their names.
 void SetCode(clang::CompilerInvocation& invocation) {
-  invocation.getLangOpts().setFPEvalMethod(clang::LangOptions::FEM_Double);
   invocation.getLangOpts().setDefaultFPContractMode(clang::LangOptions::FPM_Off);
   clang::CodeGenOptions& code = invocation.getCodeGenOpts();
   code.OptimizationLevel = 0;
@@ -100,6 +101,7 @@ void SetLanguage(const ParserInput& input, clang::CompilerInvocation& invocation
   language.Trigraphs = 0;
   language.CharIsSigned = input.char_is_signed ? 1 : 0;
   language.setSignedOverflowBehavior(clang::LangOptions::SOB_Defined);
+  language.setFPEvalMethod(clang::LangOptions::FEM_Double);  // operands are widened first (6.1)
   language.Freestanding = 1;
   language.NoBuiltin = 1;
   language.PackStruct = 1;
@@ -128,15 +130,27 @@ void SetFolders(const ParserInput& input, clang::HeaderSearchOptions& search) {
   search.AddPath(kProductFolder, clang::frontend::Angled, false, true);
 }
 
+/// The names that Clang itself gives a meaning in the preprocessor; the language has two of them.
+std::vector<std::string> BuiltinNames(const clang::Preprocessor& preprocessor) {
+  std::vector<std::string> names;
+  for (const auto& macro : preprocessor.macros(false)) {
+    const clang::MacroInfo* info = preprocessor.getMacroInfo(macro.first);
+    if (info == nullptr || !info->isBuiltinMacro()) continue;
+    std::string name = macro.first->getName().str();
+    const bool is_own = name == "__LINE__" || name == "__FILE__" || name == "__DATE__" || name == "__TIME__";
+    if (!is_own) names.push_back(std::move(name));
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 /// 2.7; the declarations are for what FilterTokens writes.
-std::string Predefines(const ParserInput& input) {
+std::string Predefines(const ParserInput& input, const clang::Preprocessor& preprocessor) {
   std::string text =
       "#define __TURBOC__ 0x0410\n#define __BORLANDC__ 0x0410\n#define __MSDOS__ 1\n#define __TINY__ 1\n"
       "#define __CDECL__ 1\n#define __PLCXX__ 1\n"
       "#define __DATE__ \"Jan 01 1980\"\n#define __TIME__ \"00:00:00\"\n";
-  for (const char* name : {"__COUNTER__", "__TIMESTAMP__", "__BASE_FILE__", "__INCLUDE_LEVEL__", "__FILE_NAME__"}) {
-    text += "#undef " + std::string(name) + "\n";
-  }
+  for (const std::string& name : BuiltinNames(preprocessor)) text += "#undef " + name + "\n";
   if (!input.char_is_signed) text += "#define _CHAR_UNSIGNED 1\n";
   text += "void " + std::string(kCliName) + "(void);\nvoid " + std::string(kStiName) + "(void);\nextern int " +
           std::string(kPoisonName) + ";\n";
@@ -174,7 +188,7 @@ void SetUp(Session& session) {
   const std::string main = std::string(kMainFolder) + "/" + session.input.main_path;
   clang.InitializeSourceManager(clang::FrontendInputFile(main, clang::InputKind(clang::Language::C)));
   clang.createPreprocessor(clang::TU_Complete);
-  clang.getPreprocessor().setPredefines(Predefines(session.input));
+  clang.getPreprocessor().setPredefines(Predefines(session.input, clang.getPreprocessor()));
   clang.getDiagnosticClient().BeginSourceFile(clang.getLangOpts(), &clang.getPreprocessor());
 }
 

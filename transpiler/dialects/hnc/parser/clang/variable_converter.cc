@@ -28,6 +28,34 @@ const clang::VarDecl* DefinitionOf(const clang::VarDecl* variable) {
   return tentative;
 }
 
+bool HasPointer(const clang::BinaryOperator* expr) {
+  return expr->getLHS()->getType()->isPointerType() || expr->getRHS()->getType()->isPointerType();
+}
+
+/// What is no constant in an initialiser of static data, though Clang can compute it: values of variables and strings,
+/// commas, truths about addresses; null: all of it is constant.
+const clang::Expr* FirstNotConstant(const clang::Expr* expr) {
+  if (llvm::isa<clang::UnaryExprOrTypeTraitExpr>(expr)) return nullptr;
+  if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(expr); cast != nullptr) {
+    if (cast->getCastKind() == clang::CK_LValueToRValue) return expr;
+  }
+  if (const auto* unary = llvm::dyn_cast<clang::UnaryOperator>(expr); unary != nullptr) {
+    if (unary->getOpcode() == clang::UO_LNot && unary->getSubExpr()->getType()->isPointerType()) return expr;
+  }
+  if (const auto* binary = llvm::dyn_cast<clang::BinaryOperator>(expr); binary != nullptr) {
+    if (binary->isCommaOp()) return expr;
+    if (HasPointer(binary) && !binary->getType()->isPointerType()) return expr;
+  }
+  if (const auto* choice = llvm::dyn_cast<clang::ConditionalOperator>(expr); choice != nullptr) {
+    if (choice->getCond()->getType()->isPointerType()) return expr;
+  }
+  for (const clang::Stmt* child : expr->children()) {
+    const auto* part = llvm::dyn_cast_or_null<clang::Expr>(child);
+    if (const clang::Expr* found = part == nullptr ? nullptr : FirstNotConstant(part)) return found;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 VariableId VariableConverter::VariableOf(const clang::VarDecl* variable) {
@@ -136,10 +164,18 @@ void VariableConverter::Initialise(const clang::VarDecl* variable, VariableId id
   }
   const clang::Expr* init = variable->getInit();
   if (init == nullptr || system) return;
+  if (variable->hasGlobalStorage() && !product) CheckConstant(init);
   std::vector<InitialValue> values;
   Flatten(init, variable->getType(), 0, values);
   unit_.variables[id].initialised = true;
   unit_.variables[id].initial = std::move(values);
+}
+
+void VariableConverter::CheckConstant(const clang::Expr* init) {
+  if (!init->isConstantInitializer(context_, false)) return;  // reported
+  const clang::Expr* found = FirstNotConstant(init);
+  if (found == nullptr) return;
+  findings().Report(RangeOf(found), diag::HncConstantRequired, "to initialise static data");
 }
 
 void VariableConverter::Flatten(const clang::Expr* init, clang::QualType type, uint32_t offset,
@@ -148,6 +184,9 @@ void VariableConverter::Flatten(const clang::Expr* init, clang::QualType type, u
   const auto* list = llvm::dyn_cast<clang::InitListExpr>(init);
   if (list == nullptr) {
     const auto* string = llvm::dyn_cast<clang::StringLiteral>(init->IgnoreParens());
+    if (string != nullptr && type->isArrayType() && llvm::isa<clang::ParenExpr>(init)) {
+      findings().Report(RangeOf(init), diag::HncIncompatible, "an array is initialised with { } or a string");
+    }
     InitialValue value{.offset = offset,
                        .is_bit_field = false,
                        .bit_offset = 0,

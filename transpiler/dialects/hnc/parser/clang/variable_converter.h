@@ -26,6 +26,7 @@ class VariableConverter : private NodeConverter {
  private:
   void DescribeFileVariable(const clang::VarDecl* variable, Variable& result);
   void Initialise(const clang::VarDecl* variable, VariableId id);
+  void CheckConstant(const clang::Expr* init);
   void Flatten(const clang::Expr* init, clang::QualType type, uint32_t offset, std::vector<InitialValue>& values);
 
   TypeConverter& types_;
