@@ -77,6 +77,30 @@ TEST(OwnMemory, WhatIsKeptAtAnotherMoment) {
   ExpectListed(CompareSides(old_side, new_side, kSoon), "U1T0");
 }
 
+/// Nothing is claimed of a module that no schedule executes; who changes it reads that.
+TEST(OwnMemory, AModuleThatTheHostAloneCallsIsNamed) {
+  const std::string program = R"(        DATA
+IN0: DFM KUS
+OUT0: DFM CHOD,DVA
+        DATA_END
+        MODULE_MAIN
+        LDR KUS
+        WR DVA
+        MODULE_MAIN_END
+        MODULE_PANEL
+        LDR KUS
+        @
+        WR CHOD
+        MODULE_PANEL_END
+        STOP
+)";
+  const Diff changed = ComparedTexts(kTechnol, With(program, "NOP"), With(program, "LA -DVA"), kSoon);
+  EXPECT_TRUE(std::ranges::any_of(changed.not_looked_at, [](const std::string& what) {
+    return what.find("module_panel") != std::string::npos;
+  })) << ::testing::PrintToString(changed.not_looked_at);
+  EXPECT_TRUE(ComparedTexts(kTechnol, With(program, "NOP"), With(program, ""), kSoon).not_looked_at.empty());
+}
+
 TEST(OwnMemory, WhatIsBetweenTheElementsOfAnIndex) {
   const std::string program = R"(#include "plc.h"
 struct { int a; int b; } T[10];

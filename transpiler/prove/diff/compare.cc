@@ -238,7 +238,8 @@ CompareResult Finish(Comparison& comparison, uint32_t invariants) {
                        .refusal = comparison.refusal,
                        .invariants = invariants,
                        .changes_are_found = comparison.changes_are_found,
-                       .one_sided = std::move(comparison.one_sided)};
+                       .one_sided = std::move(comparison.one_sided),
+                       .changed_for_host = std::move(comparison.changed_for_host)};
   for (PairResult& pair : result.pairs) {
     if (pair.verdict != PairVerdict::kUndecided || !pair.reason.empty()) continue;
     pair.reason = comparison.Late() ? "the time was not enough"
@@ -430,6 +431,7 @@ CompareResult CompareVersions(const machine::Version& old_version, const machine
   Comparison comparison(old_version, new_version, match, runs, limits);
   if (!comparison.refusal.empty()) return Finish(comparison, 0);
   AddMatched(comparison);
+  comparison.changed_for_host = ChangedForHost(comparison);
   // What a scenario shows needs no proof, and scenarios are there however large the program is.
   if (runs.find_different)
     comparison.before_questions = [&] { runs.find_different(SoughtOf(comparison), Effort::kScenarios, 0); };

@@ -82,6 +82,9 @@ struct CompareResult {
   uint32_t invariants = 0;         // that were proved on the way and needed
   bool changes_are_found = false;  // PairResult::changed_itself says something
   OneSided one_sided;              // what is in no pair
+  /// Routines that the host alone calls, and that do, or may do, something else in the new version: nothing else is
+  /// said of them.
+  std::vector<std::string> changed_for_host;
 };
 
 /// kScenarios: known runs alone, before anything is asked; what they show is told with the next effort.

@@ -57,12 +57,13 @@ struct Comparison {
   /// How long one round of questions may take: at first little, since most of what is not proved soon differs.
   uint64_t round_ms;
   terms::TermId now;
-  OneSided one_sided;                      // see CompareResult
-  std::vector<PairResult> results;         // of matched state, ascending by old cell
-  std::vector<uint32_t> result_of_old;     // by old cell; kNoResult: it is none
-  machine::Transition old_next, new_next;  // of the last period, over the pairing's variables
-  uint64_t execution_ms = 0;               // that the last execution of a part took
-  std::vector<Execution> executions;       // the last ones with these constants, newest first
+  OneSided one_sided;                         // see CompareResult
+  std::vector<std::string> changed_for_host;  // likewise
+  std::vector<PairResult> results;            // of matched state, ascending by old cell
+  std::vector<uint32_t> result_of_old;        // by old cell; kNoResult: it is none
+  machine::Transition old_next, new_next;     // of the last period, over the pairing's variables
+  uint64_t execution_ms = 0;                  // that the last execution of a part took
+  std::vector<Execution> executions;          // the last ones with these constants, newest first
   std::unique_ptr<invariants::InvariantFinder> old_finder, new_finder;
   std::vector<Relation> relations;          // part of the inductive set, as the pairs that are equal are
   std::unique_ptr<solver::BitSolver> bits;  // for questions about all of them; made with the first one
@@ -127,6 +128,9 @@ struct Cut {
   std::function<terms::TermId(Which which, execute::CellId cell, terms::TermId value)> value;
   std::function<bool(Which which, execute::CellId cell)> is_cut;
 };
+/// With the pairs as they are: names of the routines that only the host calls and that do not do the same, term by
+/// term, or that one version alone has.
+std::vector<std::string> ChangedForHost(Comparison& comparison);
 /// The parts that are executed by themselves: the period last.
 std::vector<machine::Part> PartsOf(const Comparison& comparison);
 /// Executes a part of both over the pairing; false: comparison.refusal says why not.

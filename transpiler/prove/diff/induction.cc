@@ -1,8 +1,11 @@
 // From any state in which the set is equal, one more period leaves it equal.
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "transpiler/prove/diff/comparison.h"
@@ -276,6 +279,38 @@ bool ExecutePart(Comparison& comparison, machine::Part part, machine::HostAnswer
              {.part = part, .equal = std::move(equal), .transitions = {comparison.old_next, comparison.new_next}});
   }
   return true;
+}
+
+std::vector<std::string> ChangedForHost(Comparison& comparison) {
+  std::array<std::map<std::string, ir::RoutineId>, 2> called;
+  std::set<std::string> names;
+  for (const Which which : {Which::kOld, Which::kNew}) {
+    const ir::Program& program = *comparison.pairing.version(which).program;
+    for (uint32_t i = 0; i < program.routines.size(); ++i) {
+      const ir::Routine& routine = program.routines[ir::RoutineId(i)];
+      if (routine.kind != ir::RoutineKind::kInterrupt) continue;
+      called[which == Which::kOld ? 0 : 1].emplace(routine.name, ir::RoutineId(i));
+      names.insert(routine.name);
+    }
+  }
+  const auto does_the_same = [&](const std::string& name) {
+    if (!called[0].contains(name) || !called[1].contains(name)) return false;
+    const auto run = [&](Which which) {
+      return machine::RunCalledByHost(comparison.terms, comparison.pairing.version(which),
+                                      called[which == Which::kOld ? 0 : 1].at(name), EnvironmentOf(comparison, which));
+    };
+    const machine::Transition one = run(Which::kOld), other = run(Which::kNew);
+    if (!one.refusal.empty() || !other.refusal.empty()) return false;
+    return std::ranges::all_of(comparison.results, [&](const PairResult& result) {
+      const terms::TermId a = one.next[result.old_cell.index], b = other.next[result.new_cell.index];
+      return (a.valid() ? a : comparison.pairing.Initial(Which::kOld, result.old_cell)) ==
+             (b.valid() ? b : comparison.pairing.Initial(Which::kNew, result.new_cell));
+    });
+  };
+  std::vector<std::string> changed;
+  std::ranges::copy_if(names, std::back_inserter(changed),
+                       [&](const std::string& name) { return !does_the_same(name); });
+  return changed;
 }
 
 std::optional<std::array<machine::Transition, 2>> ExecutePowerOn(Comparison& comparison) {

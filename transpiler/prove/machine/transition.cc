@@ -124,6 +124,11 @@ Transition RunPart(terms::Terms& terms, const Version& version, Part part, const
   return RunRoutine(terms, version, part == Part::kFast ? schedule.fast_only : schedule.period, environment);
 }
 
+Transition RunCalledByHost(terms::Terms& terms, const Version& version, ir::RoutineId routine,
+                           const PartEnvironment& environment) {
+  return RunRoutine(terms, version, routine, environment);
+}
+
 Transition RunInit(terms::Terms& terms, const Version& version, const PartEnvironment& environment) {
   PartEnvironment at_power_on = environment;
   at_power_on.initial = [&](execute::CellId id) {

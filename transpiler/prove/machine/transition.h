@@ -53,6 +53,9 @@ bool HasFastPart(const Version& version);
 /// Schedule::fast_ms: the period is the slow part alone then.
 bool HasTimedFastPart(const Version& version);
 Transition RunPart(terms::Terms& terms, const Version& version, Part part, const PartEnvironment& environment);
+/// What the host calls by itself, whenever it likes (RoutineKind::kInterrupt).
+Transition RunCalledByHost(terms::Terms& terms, const Version& version, ir::RoutineId routine,
+                           const PartEnvironment& environment);
 /// Power-on: memory is as the program says, and then, as far as it is retentive, as it was when the power failed:
 /// `initial` is asked for that and for the calls.
 /// Whether memory lives on without power.

@@ -81,8 +81,10 @@ std::optional<std::string> PlacesOf(const DiffSide& old_side, const DiffSide& ne
 
 /// What no claim is made of, and what is news whatever the program does.
 void NameLeftOut(const Named& old_named, const Named& new_named, const prove::diff::Match& match,
-                 const prove::diff::OneSided& one_sided, Diff& diff) {
-  NameWhatOneVersionHas(one_sided, old_named.words, new_named.words, diff);
+                 const prove::diff::CompareResult& result, Diff& diff) {
+  for (const std::string& routine : result.changed_for_host)
+    diff.not_looked_at.push_back("what " + routine + " does, which the host alone calls and which is another one");
+  NameWhatOneVersionHas(result.one_sided, old_named.words, new_named.words, diff);
   NameOptionsOfSimulation(old_named.side, new_named.side, diff);
   NameMovedRetentive(old_named.version, new_named.version, match, old_named.words, diff);
 }
@@ -162,7 +164,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       {.total_ms = static_cast<uint64_t>(compare_time.count()), .progress = options.progress});
   Diff diff{.invariants = result.invariants, .changes_are_found = result.changes_are_found, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
-  NameLeftOut(old_named, new_named, match, result.one_sided, diff);
+  NameLeftOut(old_named, new_named, match, result, diff);
   if (sliced) NameBookkeepingOfSlices(old_side, new_side, same, diff);
   NameChangedStatements(old_side, new_side, diff);
   std::vector<NamedItem> items = ItemsByWeight(result, old_named, new_named);
