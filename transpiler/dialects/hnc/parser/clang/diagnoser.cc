@@ -11,10 +11,13 @@
 #include <clang/Basic/IdentifierTable.h>
 #include <clang/Lex/Preprocessor.h>
 #include <clang/Parse/Parser.h>
+#include <clang/Sema/Scope.h>
+#include <clang/Sema/Sema.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <vector>
 
 #include "transpiler/dialects/hnc/machine/machine.h"
 #include "transpiler/dialects/hnc/machine/product_names.h"
@@ -289,12 +292,40 @@ bool Diagnoser::Conversions(const clang::Diagnostic& info) {
   }
 }
 
+/// Clang can compute with the values of const variables, too.
+bool Diagnoser::NamesVariable(const clang::Diagnostic& info) const {
+  if (session_.parser == nullptr || info.getNumRanges() == 0) return true;
+  clang::Preprocessor& preprocessor = session_.clang.getPreprocessor();
+  std::vector<clang::IdentifierInfo*> words;
+  const std::string text = Written(session_.places.Of(info.getRange(0).getAsRange()));
+  for (size_t at = 0; at < text.size();) {
+    size_t end = at;
+    while (end < text.size() && IsWord(text[end])) ++end;
+    if (end > at) words.push_back(preprocessor.getIdentifierInfo(text.substr(at, end - at)));
+    at = std::max(end, at + 1);
+  }
+  for (size_t i = 0; i < words.size(); ++i) {
+    clang::IdentifierInfo* const word = words[i];
+    if (const clang::MacroInfo* macro = preprocessor.getMacroInfo(word)) {
+      for (const clang::Token& token : macro->tokens()) {
+        clang::IdentifierInfo* const part = token.getIdentifierInfo();
+        if (part != nullptr && std::ranges::find(words, part) == words.end()) words.push_back(part);
+      }
+    }
+    const clang::NamedDecl* const found = session_.parser->getActions().LookupSingleName(
+        session_.parser->getCurScope(), word, info.getLocation(), clang::Sema::LookupOrdinaryName);
+    if (llvm::isa_and_nonnull<clang::VarDecl>(found)) return true;
+  }
+  return false;
+}
+
 /// What was no constant for Clang only overflows: it wraps, with a warning (6.2).
 void Diagnoser::AcceptOverflow(const clang::Diagnostic& info) {
   is_folded_ = false;
   reported_last_ = false;
   const source::Range range = session_.findings().all().back().range;
   session_.findings().all().pop_back();
+  if ((session_.parser->getCurScope()->getFlags() & clang::Scope::EnumScope) != 0) return;  // folding tells of it
   int64_t value = 0;
   const std::string digits = ArgumentText(info, 0);
   std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -370,7 +401,7 @@ void Diagnoser::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const cl
     }
   }
   reported_last_ = session_.findings().all().size() > before;
-  is_folded_ = reported_last_ && info.getID() == cd::ext_expr_not_ice;
+  is_folded_ = reported_last_ && info.getID() == cd::ext_expr_not_ice && !NamesVariable(info);
   last_is_in_product_ = session_.places.InProduct(info.getLocation());
   if (session_.parser == nullptr || !reported_last_) return;
   if (session_.findings().all().back().row.severity == diag::Severity::kError && ++errors_ == kMostErrors)

@@ -41,6 +41,7 @@ class Diagnoser : public clang::DiagnosticConsumer {
   std::string NameAfter(source::Offset place) const;
   /// The name in reach that is most like this one; empty: none is.
   std::string NearDeclared(const std::string& name);
+  bool NamesVariable(const clang::Diagnostic& info) const;
   void AcceptOverflow(const clang::Diagnostic& info);
   void AddNote(const clang::Diagnostic& info);
 
