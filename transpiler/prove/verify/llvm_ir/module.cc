@@ -39,6 +39,10 @@ class Code : public CompiledCode {
       const std::string& name = flows_.NameOf(function);
       if (!functions_.emplace(name, &function).second) ambiguous_.insert(name);
     }
+    for (const llvm::Function& function : *module_) {
+      if (!function.isDeclaration() || function.isIntrinsic()) continue;
+      if (functions_.contains(flows_.NameOf(function))) ambiguous_.insert(flows_.NameOf(function));
+    }
     // Which of them is meant by its name nobody knows: calls lead to each, and are followed.
     for (const std::string& name : ambiguous_) functions_.erase(name);
   }
