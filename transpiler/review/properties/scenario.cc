@@ -72,6 +72,19 @@ class InputTexts {
   ir::NameIndex names_;
 };
 
+/// Some controls keep memory only when the program has asked for it: by which bit; empty: nothing is kept, or always.
+std::string KeptBy(const scenarios::ProveMachine& machine, const prove::properties::PropertyRun& run) {
+  const ir::Program& program = machine.compilation.program;
+  const ir::PlaceId asked = program.schedule.retain_at_power_off;
+  const bool is_kept = std::ranges::any_of(run.before_power_on, [&](const prove::properties::InputValue& value) {
+    return prove::machine::IsRetentive(machine.version, value.cell);
+  });
+  if (!is_kept || !asked.valid()) return {};
+  return scenarios::WordsOf(machine, execute::CellsOf(program, machine.version.cells, program.places[asked]))
+      .front()
+      .name;
+}
+
 /// The steps of the run; false: an input has no name.
 bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties::PropertyRun& run,
                 PropertyScenario& scenario) {
@@ -130,18 +143,9 @@ bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties:
   };
   if (!run.before_power_on.empty()) {
     set(run.before_power_on);
-    // Some controls keep the memory only when the program has asked for it.
-    const ir::PlaceId asked = schedule.retain_at_power_off;
-    const bool is_stored = std::ranges::any_of(run.before_power_on, [&](const prove::properties::InputValue& value) {
-      return prove::machine::IsRetentive(machine.version, value.cell);
-    });
-    if (is_stored && asked.valid()) {
-      const std::vector<scenarios::InputWord> request =
-          scenarios::WordsOf(machine, execute::CellsOf(program, machine.version.cells, program.places[asked]));
-      if (!request.front().name.empty()) {
-        steps += "- set: {" + Scalar(request.front().name) + ": 1}\n";
-        add_line(request.front().name + "=1");
-      }
+    if (const std::string bit = KeptBy(machine, run); !bit.empty()) {
+      steps += "- set: {" + Scalar(bit) + ": 1}\n";
+      add_line(bit + "=1");
     }
     steps += "- power_cycle: {}\n";
     add_line("power cycle");
