@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <string_view>
 #include <vector>
 
 #include "transpiler/dialects/hnc/machine/machine.h"
@@ -292,24 +293,54 @@ bool Diagnoser::Conversions(const clang::Diagnostic& info) {
   }
 }
 
+namespace {
+
+/// Behind a comment, or a constant in quotes, that begins there; none does: the same place.
+size_t BehindText(std::string_view text, size_t at) {
+  const auto behind = [&](size_t found, size_t length) {
+    return found == std::string_view::npos ? text.size() : found + length;
+  };
+  if (text.substr(at).starts_with("/*")) return behind(text.find("*/", at + 2), 2);
+  if (text.substr(at).starts_with("//")) return behind(text.find('\n', at), 1);
+  if (text[at] != '\'' && text[at] != '"') return at;
+  const char quote = text[at];
+  for (size_t end = at + 1; end < text.size(); ++end) {
+    if (text[end] == '\\') {
+      ++end;
+    } else if (text[end] == quote) {
+      return end + 1;
+    }
+  }
+  return text.size();
+}
+
+std::vector<std::string_view> WordsOf(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (size_t at = 0; at < text.size();) {
+    size_t end = at;
+    while (end < text.size() && IsWord(text[end])) ++end;
+    if (end > at) words.push_back(text.substr(at, end - at));
+    at = end > at ? end : std::max(BehindText(text, at), at + 1);
+  }
+  return words;
+}
+
+}  // namespace
+
 /// Clang can compute with the values of const variables, too.
 bool Diagnoser::NamesVariable(const clang::Diagnostic& info) const {
   if (session_.parser == nullptr || info.getNumRanges() == 0) return true;
   clang::Preprocessor& preprocessor = session_.clang.getPreprocessor();
   std::vector<clang::IdentifierInfo*> words;
   const std::string text = Written(session_.places.Of(info.getRange(0).getAsRange()));
-  for (size_t at = 0; at < text.size();) {
-    size_t end = at;
-    while (end < text.size() && IsWord(text[end])) ++end;
-    if (end > at) words.push_back(preprocessor.getIdentifierInfo(text.substr(at, end - at)));
-    at = std::max(end, at + 1);
-  }
+  for (const std::string_view word : WordsOf(text)) words.push_back(preprocessor.getIdentifierInfo(word));
   for (size_t i = 0; i < words.size(); ++i) {
     clang::IdentifierInfo* const word = words[i];
     if (const clang::MacroInfo* macro = preprocessor.getMacroInfo(word)) {
       for (const clang::Token& token : macro->tokens()) {
         clang::IdentifierInfo* const part = token.getIdentifierInfo();
-        if (part != nullptr && std::ranges::find(words, part) == words.end()) words.push_back(part);
+        const bool is_parameter = part != nullptr && macro->getParameterNum(part) >= 0;
+        if (part != nullptr && !is_parameter && std::ranges::find(words, part) == words.end()) words.push_back(part);
       }
     }
     const clang::NamedDecl* const found = session_.parser->getActions().LookupSingleName(

@@ -27,6 +27,7 @@ const Rule kRules[] = {
     {cd::ext_unknown_escape, &diag::HncEscape, 0},
     {cd::ext_nonstandard_escape, &diag::HncEscape, 0},
     {cd::ext_delimited_escape_sequence, &diag::HncEscape, kWords, "digits in braces"},
+    {cd::warn_ucn_not_valid_in_c89_literal, &diag::HncEscape, kWords, "\\u"},
     {cd::err_enumerator_wrapped, &diag::HncConstantTooLarge, kToken},
     // preprocessor
     {cd::err_pp_hash_error, &diag::HncErrorDirective, 0},
@@ -266,6 +267,7 @@ bool IsFoundElsewhere(unsigned id) {
 bool IsAccepted(unsigned id) {
   switch (id) {
     case cd::ext_line_comment:  // from here: texts
+    case cd::ext_string_too_long:
     case cd::ext_multi_line_line_comment:
     case cd::ext_no_newline_eof:
     case cd::warn_bad_string_encoding:
@@ -300,6 +302,7 @@ bool IsAccepted(unsigned id) {
     case cd::ext_use_out_of_scope_declaration:
     case cd::err_func_returning_qualified_void:
     case cd::ext_subscript_non_lvalue:
+    case cd::ext_typecheck_addrof_void:  // what it is the address of has been refused
     case cd::ext_vla_folded_to_constant:
     case cd::warn_strict_prototypes:
     case cd::warn_undefined_internal:
