@@ -12,16 +12,26 @@ using ir::ValueId;
 
 namespace {
 
-/// Does a line of the source assign to the name?
-bool AssignsTo(std::string_view line, std::string_view name) {
+/// Whether a line of the source has the name with something behind it that `fits`, blanks left out.
+template <class Fits>
+bool HasBehind(std::string_view line, std::string_view name, Fits&& fits) {
   const auto is_part = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
   for (size_t at = line.find(name); at != std::string_view::npos; at = line.find(name, at + 1)) {
     std::string_view behind = line.substr(at + name.size());
     if ((at > 0 && is_part(line[at - 1])) || (!behind.empty() && is_part(behind.front()))) continue;
     behind.remove_prefix(std::min(behind.find_first_not_of(' '), behind.size()));
-    if (behind.starts_with('=') && !behind.starts_with("==")) return true;
+    if (fits(behind)) return true;
   }
   return false;
+}
+
+bool AssignsTo(std::string_view line, std::string_view name) {
+  return HasBehind(line, name,
+                   [](std::string_view behind) { return behind.starts_with('=') && !behind.starts_with("=="); });
+}
+
+bool HasCallOf(std::string_view line, std::string_view name) {
+  return HasBehind(line, name, [](std::string_view behind) { return behind.starts_with('('); });
 }
 
 }  // namespace
@@ -145,7 +155,8 @@ bool Pointers::CheckTargets(const Address& address, ExprId at) {
   }
   if (!source.valid()) return false;
   if (variable.valid() && !refused_.insert(variable.index).second) return false;
-  if (variable.valid() && HasPoisonedSource(variable)) return false;
+  std::vector<VariableId> seen;
+  if (variable.valid() && HasPoisonedSource(variable, seen)) return false;
   const std::string name =
       variable.valid() ? unit_.variables[variable].name : std::string(sources_.Text(ExprAt(at).range));
   diagnostics_.Report(ExprAt(at).range, diag::HncPointerObject, "'" + name + "' " + std::string(WhyRefused(address)));
@@ -157,33 +168,52 @@ std::string_view Pointers::WhyRefused(const Address& address) {
   return address.is_null ? "is 0" : "is never assigned the address of one";
 }
 
-/// Whether something that was refused already is assigned to the pointer.
-bool Pointers::HasPoisonedSource(VariableId variable) const {
-  const auto is_poison = [this](ExprId id) {
-    bool poison = false;
-    ForEachExpr(unit_, id, [&](ExprId part) { poison = poison || ExprAt(part).kind == ExprKind::kPoison; });
-    return poison;
-  };
-  for (const InitialValue& initial : unit_.variables[variable].initial) {
-    if (is_poison(initial.value)) return true;
-  }
+bool Pointers::HasPoison(ExprId id) const {
+  bool poison = false;
+  ForEachExpr(unit_, id, [&](ExprId part) { poison = poison || ExprAt(part).kind == ExprKind::kPoison; });
+  return poison;
+}
+
+/// Whether a call hands something to the parameter that was refused already, or what another such parameter has.
+bool Pointers::IsHandedPoison(const Expr& call, VariableId parameter, std::vector<VariableId>& seen) const {
+  // With such an argument it is refused as a whole.
+  if (call.kind == ExprKind::kPoison)
+    return std::ranges::any_of(call.arguments, [&](ExprId id) { return HasPoison(id); });
+  const std::vector<VariableId>& parameters = unit_.functions[call.function].parameters;
+  const auto number = static_cast<size_t>(std::ranges::find(parameters, parameter) - parameters.begin());
+  if (call.kind != ExprKind::kCall || number >= call.arguments.size()) return false;
+  bool poison = false;
+  ForEachExpr(unit_, call.arguments[number], [&](ExprId part) {
+    const VariableId other = ExprAt(part).variable;
+    const bool is_pointer = other.valid() && unit_.types[ExprAt(part).type].kind == TypeKind::kPointer;
+    poison = poison ||
+             (is_pointer && unit_.variables[other].storage == Storage::kParameter && HasPoisonedSource(other, seen));
+  });
+  return poison;
+}
+
+/// Whether something that was refused already is assigned to the pointer. `seen`: of which that has been asked.
+bool Pointers::HasPoisonedSource(VariableId variable, std::vector<VariableId>& seen) const {
+  if (std::ranges::find(seen, variable) != seen.end()) return false;
+  seen.push_back(variable);
   const Variable& pointer = unit_.variables[variable];
-  for (const Expr& expr : unit_.expressions) {
-    // A call with such an argument is refused as a whole.
-    if (expr.kind == ExprKind::kPoison && pointer.storage == Storage::kParameter && pointer.function.valid() &&
-        expr.function == pointer.function) {
-      const std::vector<VariableId>& parameters = unit_.functions[pointer.function].parameters;
-      const auto number = static_cast<size_t>(std::ranges::find(parameters, variable) - parameters.begin());
-      if (number < expr.arguments.size() && is_poison(expr.arguments[number])) return true;
-    }
-    if (expr.kind != ExprKind::kAssign || ExprAt(expr.a).kind != ExprKind::kVariable) continue;
-    if (ExprAt(expr.a).variable == variable && is_poison(expr.b)) return true;
+  for (const InitialValue& initial : pointer.initial) {
+    if (HasPoison(initial.value)) return true;
   }
-  // What Clang refuses as a whole is not in the tree: then an error stands in a line that assigns to this name.
+  const bool is_parameter = pointer.storage == Storage::kParameter && pointer.function.valid();
+  for (const Expr& expr : unit_.expressions) {
+    if (is_parameter && expr.function == pointer.function && IsHandedPoison(expr, variable, seen)) return true;
+    if (expr.kind != ExprKind::kAssign || ExprAt(expr.a).kind != ExprKind::kVariable) continue;
+    if (ExprAt(expr.a).variable == variable && HasPoison(expr.b)) return true;
+  }
+  // What Clang refuses as a whole is not in the tree: then an error stands in a line that assigns to this name, or
+  // calls the function.
   for (const diag::Diagnostic& diagnostic : diagnostics_.all()) {
     const source::Position at = sources_.Locate(diagnostic.range.begin);
     if (diagnostic.severity != diag::Severity::kError || !at.file.valid()) continue;
-    if (AssignsTo(sources_.Line(at.file, at.line), unit_.variables[variable].name)) return true;
+    const std::string_view line = sources_.Line(at.file, at.line);
+    if (AssignsTo(line, pointer.name)) return true;
+    if (is_parameter && HasCallOf(line, unit_.functions[pointer.function].name)) return true;
   }
   return false;
 }

@@ -28,7 +28,9 @@ class Pointers : Context {
   Address SelectAddress(ir::ValueId condition, const Address& a, const Address& b);
 
  private:
-  bool HasPoisonedSource(VariableId variable) const;
+  bool HasPoison(ExprId id) const;
+  bool IsHandedPoison(const Expr& call, VariableId parameter, std::vector<VariableId>& seen) const;
+  bool HasPoisonedSource(VariableId variable, std::vector<VariableId>& seen) const;
 
   Conversions& conversions_;
   std::unordered_set<uint32_t> refused_;  // by VariableId

@@ -133,12 +133,14 @@ class Rewriter {
   }
   /// From a backslash on, how many backslashes and blanks are left of the line, the last one a blank; 0: something else
   /// is. No splice here, but the C parser would take the last backslash for one, and then perhaps the one before it.
-  size_t BlankedBackslashes() const {
-    if (Peek() != '\\') return 0;
+  size_t BlankedBackslashes() {
+    if (Peek() != '\\' || at_ < not_blanked_before_) return 0;
     size_t length = 1;
     while (Peek(length) == '\\' || IsLineBlank(Peek(length))) ++length;
     const bool ends = at_ + length >= text_.size() || LineEnd(length) != 0;
-    return ends && IsLineBlank(Peek(length - 1)) ? length : 0;
+    if (ends && IsLineBlank(Peek(length - 1))) return length;
+    not_blanked_before_ = at_ + length;
+    return 0;
   }
   void PutBlanks(size_t count) {
     out_.text.append(count, ' ');
@@ -170,7 +172,8 @@ class Rewriter {
   const source::File& file_;
   std::string_view text_;
   size_t at_ = 0;
-  bool line_start_ = true;  // nothing but blanks and comments on the logical line so far
+  size_t not_blanked_before_ = 0;  // a run of backslashes and blanks up to there does not end the line
+  bool line_start_ = true;         // nothing but blanks and comments on the logical line so far
   bool in_directive_ = false;
   size_t foreign_end_ = SIZE_MAX;  // where the last reported run of foreign characters ended
   SourceText out_;
@@ -301,8 +304,12 @@ void Rewriter::IncludeLine() {
 }
 
 void Rewriter::PragmaLine() {
-  const size_t begin = at_;
+  const size_t begin = at_, out_begin = out_.text.size();
   RestOfLine();
+  // What is passed over may have any words in it: "it's".
+  std::replace_if(
+      out_.text.begin() + static_cast<std::ptrdiff_t>(out_begin), out_.text.end(),
+      [](char c) { return c == '\'' || c == '"'; }, ' ');
   std::string_view words = text_.substr(begin, at_ - begin);
   const size_t option = words.find_first_not_of(" \t");
   if (option == std::string_view::npos || !words.substr(option).starts_with("option")) return;
