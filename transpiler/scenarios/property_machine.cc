@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "transpiler/ir/schedule.h"
 #include "transpiler/passes/pipeline.h"
 #include "transpiler/scenarios/element_names.h"
 #include "transpiler/scenarios/plan.h"
@@ -76,7 +77,7 @@ prove::properties::PropertyTiming TimingOf(const ir::Program& program) {
   const ir::Schedule& schedule = program.schedule;
   prove::properties::PropertyTiming timing{.period_ms = std::max(1U, schedule.period_ms)};
   if (schedule.fast_ms != 0) {
-    timing.fast_per_period = std::max(1U, schedule.period_ms / schedule.fast_ms);
+    timing.fast_per_period = ir::FastPartsOfPeriod(schedule);
     return timing;
   }
   for (const ir::Routine& routine : program.routines) {

@@ -1,11 +1,11 @@
 #include "transpiler/scenarios/property_monitor.h"
 
-#include <algorithm>
 #include <bit>
 #include <functional>
 #include <map>
 #include <utility>
 
+#include "transpiler/ir/schedule.h"
 #include "transpiler/prove/properties/condition.h"
 #include "transpiler/symbolic/meaning/meaning.h"
 #include "transpiler/symbolic/terms/evaluate.h"
@@ -94,8 +94,7 @@ bool PropertyMonitor::IsEndOfPeriod(sim::Engine& engine, sim::Clock::Part part) 
   }
   if (IsTimed()) {
     const uint32_t ran = std::exchange(fast_since_slow_, 0);
-    const uint32_t of_period = std::max(1U, program_.schedule.period_ms / program_.schedule.fast_ms);
-    is_off_schedule_ = is_off_schedule_ || ran != of_period;
+    is_off_schedule_ = is_off_schedule_ || ran != ir::FastPartsOfPeriod(program_.schedule);
     return true;
   }
   if (!sliced_) return true;

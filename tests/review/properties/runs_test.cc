@@ -5,28 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/driver/run_plcxx.h"
+#include "tests/review/properties/prove_text.h"
 
 namespace plcxx::driver {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-/// `name` is of the source: its ending says the language.
-Ran Prove(const Workplace& work, const std::string& name, std::string_view source, std::string_view properties,
-          const std::string& options = "") {
-  work.Write(name, source);
-  work.Write("m.prop", properties);
-  return work.Run("prove " + name + " --property m.prop --counterexamples found --time 300s " + options);
-}
-
-/// The scenario of the first property fails in the simulator.
-void ExpectShown(const Workplace& work) {
-  const Ran again = work.Run("test --engine sim found/property-1.yaml");
-  EXPECT_EQ(again.code, 1) << again;
-  EXPECT_THAT(again.out, HasSubstr("does not hold"));
-}
 
 TEST(ProveRuns, AViolationAfterALongTimeIsFoundAndShortened) {
   const Workplace work;

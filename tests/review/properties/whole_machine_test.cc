@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/driver/run_plcxx.h"
+#include "tests/review/properties/prove_text.h"
 
 namespace plcxx::driver {
 namespace {
@@ -15,23 +15,9 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Ran ProveMachine(const Workplace& work, const std::string& name, std::string_view source, std::string_view property,
-                 const std::string& options = "") {
-  work.Write(name, source);
-  work.Write("m.prop", std::string(property) + "\n");
-  return work.Run("prove " + name + " --property m.prop --counterexamples found --time 30s " + options);
-}
-
-void ExpectReplayed(const Workplace& work, const Ran& ran) {
-  EXPECT_EQ(ran.code, 1) << ran;
-  const Ran again = work.Run("test --engine sim found/property-1.yaml");
-  EXPECT_EQ(again.code, 1) << again;
-  EXPECT_THAT(again.out, HasSubstr("does not hold"));
-}
-
 TEST(WholeMachine, ConstantsThatTheProgramReadsAtPowerOn) {
   const Workplace work;
-  const Ran ran = ProveMachine(work, "m.plc", R"(        DATA
+  const Ran ran = Prove(work, "m.plc", R"(        DATA
 IN0: DFM A
 OUT0: DFM Q
 M: DFM F
@@ -47,24 +33,25 @@ M: DFM F
         MODULE_MAIN_END
         STOP
 )",
-                               "never Q");
-  ExpectReplayed(work, ran);
+                        "never Q\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  ExpectShown(work);
   EXPECT_THAT(work.Read("found/property-1.yaml"), HasSubstr("- power_cycle: {}"));
 }
 
 TEST(WholeMachine, InputsThatAreOnWhenPowerComes) {
   const Workplace work;
-  const Ran ran =
-      ProveMachine(work, "m.il",
-                   "SLOW\nNETWORK \"a\"\nLDP %I0\nSET %B600\nNETWORK \"b\"\nLDI %I0\nRST %B600\nNETWORK \"c\"\n"
-                   "LD %B600\nOUT %Q0\nEND_SLOW\n",
-                   "%I0 for 20 ms implies %Q0");
-  ExpectReplayed(work, ran);
+  const Ran ran = Prove(work, "m.il",
+                        "SLOW\nNETWORK \"a\"\nLDP %I0\nSET %B600\nNETWORK \"b\"\nLDI %I0\nRST %B600\nNETWORK \"c\"\n"
+                        "LD %B600\nOUT %Q0\nEND_SLOW\n",
+                        "%I0 for 20 ms implies %Q0\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  ExpectShown(work);
 }
 
 TEST(WholeMachine, ARequestIsTakenBackBetweenTwoParts) {
   const Workplace work;
-  const Ran ran = ProveMachine(work, "m.plc", R"(        DATA
+  const Ran ran = Prove(work, "m.plc", R"(        DATA
 IN0: DFM A
 OUT0: DFM Q,BAD
 M: DFM F,G
@@ -84,14 +71,14 @@ M: DFM F,G
         MODULE_FAST_END
         STOP
 )",
-                               "never BAD");
+                        "never BAD\n");
   EXPECT_NE(ran.code, 0) << ran;
   EXPECT_THAT(ran.out, Not(HasSubstr("1 proved")));
 }
 
 TEST(WholeMachine, AnIndexDoesNotReachWhatIsBetweenItsElements) {
   const Workplace work;
-  const Ran ran = ProveMachine(work, "m.cld", R"(#include "plc.h"
+  const Ran ran = Prove(work, "m.cld", R"(#include "plc.h"
 struct { int a; int b; } T[10];
 int K;
 void init() { plc1_time = 8; plc2_time = 16; }
@@ -101,33 +88,35 @@ void plc2() {
   Y[0] = T[3].b;
 }
 )",
-                               "never Y[0] = 1");
-  ExpectReplayed(work, ran);
+                        "never Y[0] = 1\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  ExpectShown(work);
 }
 
 TEST(WholeMachine, AnIndexThatReachesAllSaysNothing) {
   const Workplace work;
-  const Ran ran = ProveMachine(work, "m.cld", R"(#include "plc.h"
+  const Ran ran = Prove(work, "m.cld", R"(#include "plc.h"
 void init() { plc1_time = 8; plc2_time = 16; }
 void plc1() {}
 void plc2() { Y[0] = *G[10]; }
 )",
-                               "never Y[0] = 1");
-  ExpectReplayed(work, ran);
+                        "never Y[0] = 1\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  ExpectShown(work);
 }
 
 TEST(WholeMachine, TheFastPartRunsInEachSlice) {
   const Workplace work;
   const std::string fast = "T50I(10) = I0A0\nU4A0 = T50U\n", of_inputs = "U4A0 = I0A0\n";
   const std::string slow = "$\nU4A1 = I0A1*I0A2\nU4A2 = I0A1*I0A3\nU4A3 = I0A1*I0A4\nU4A4 = I0A1*I0A5\n";
-  const Ran timed = ProveMachine(work, "m.plc", fast + slow, "never U4A0 and not (I0A0 for 160 ms)", "--set slices=4");
+  const Ran timed = Prove(work, "m.plc", fast + slow, "never U4A0 and not (I0A0 for 160 ms)\n", "--set slices=4");
   EXPECT_NE(timed.code, 0) << timed;
   EXPECT_THAT(timed.out, Not(HasSubstr("1 proved")));
   const Ran toggled =
-      ProveMachine(work, "m.plc", "U4A0 = /U4A0\n" + slow, "U4A0 is 0 implies U4A0 within 2 slow", "--set slices=2");
+      Prove(work, "m.plc", "U4A0 = /U4A0\n" + slow, "U4A0 is 0 implies U4A0 within 2 slow\n", "--set slices=2");
   EXPECT_NE(toggled.code, 0) << toggled;
   EXPECT_THAT(toggled.out, HasSubstr("runs in each of the 2 slices"));
-  const Ran plain = ProveMachine(work, "m.plc", of_inputs + slow, "U4A0 implies I0A0", "--set slices=2");
+  const Ran plain = Prove(work, "m.plc", of_inputs + slow, "U4A0 implies I0A0\n", "--set slices=2");
   EXPECT_EQ(plain.code, 0) << plain;
 }
 

@@ -21,8 +21,8 @@ Emittable Legalize(const ir::Program& program, const EmitOptions& options) {
   PlaceBraces(emittable);     // after PlaceEffects: around the locals; after ChooseLeaves: which arms are not nested
   ChooseWordings(emittable);  // after PlaceEffects: what has a name is not spelled inside
   FindUsedFunctions(emittable);
-  FindUsedHeaders(emittable);
-  PlaceValues(emittable);  // after ChooseWordings: what is no assignment gives no result
+  FindUsedHeaders(emittable);  // after FindUsedFunctions: by them, too
+  PlaceValues(emittable);      // after ChooseWordings: what is no assignment gives no result
   FindUsedParameters(emittable);
   NameLocals(emittable);     // after FindUsedParameters: no local has a parameter's name
   ShapeBranches(emittable);  // after PlaceEffects: whether an arm holds anything but an If

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 
 #include "transpiler/emit/initial_values.h"
 #include "transpiler/emit/legalize/steps.h"
@@ -23,6 +24,8 @@ void FindUsedHostFunctions(Emittable& emittable) {
 
 namespace {
 
+constexpr std::string_view kFloatOfBits = "F32OfBits", kDoubleOfBits = "F64OfBits";
+
 /// By OpKind: whether the text of an instruction names it. What has a wording of its own may name another one.
 std::vector<bool> NamedOperations(const Emittable& emittable) {
   const ir::Program& program = *emittable.program;
@@ -42,15 +45,14 @@ std::vector<bool> NamedOperations(const Emittable& emittable) {
   return named;
 }
 
-/// Whether a value at power-on is an infinity or no number, which are written by their bits.
-bool BeginsWithoutLiteral(const Emittable& emittable, ir::Type type) {
+/// Values at power-on that are infinities or no numbers are written by their bits.
+void AddFunctionsOfInitialValues(Emittable& emittable) {
   for (const auto& [storage, array] : InitialArraysOf(emittable)) {
-    if (array.type != type) continue;
-    for (const auto& [index, element] : array.values) {
-      if (!HasLiteral(type, element.value)) return true;
-    }
+    if (array.type != ir::Type::kF32 && array.type != ir::Type::kF64) continue;
+    const bool has_all = std::ranges::all_of(
+        array.values, [&](const auto& value) { return HasLiteral(array.type, value.second.value); });
+    if (!has_all) emittable.functions.emplace_back(array.type == ir::Type::kF32 ? kFloatOfBits : kDoubleOfBits);
   }
-  return false;
 }
 
 }  // namespace
@@ -77,15 +79,14 @@ void FindUsedFunctions(Emittable& emittable) {
       emittable.functions.emplace_back(ir::Info(inst.op).function);
     const bool number = inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32;
     if (number && !HasLiteral(inst.type, ir::ConstantValue(inst))) {
-      emittable.functions.emplace_back("F32OfBits");
+      emittable.functions.emplace_back(kFloatOfBits);
     }
     const bool wide = inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF64;
     if (wide && !HasLiteral(inst.type, ir::ConstantValue(inst))) {
-      emittable.functions.emplace_back("F64OfBits");
+      emittable.functions.emplace_back(kDoubleOfBits);
     }
   }
-  if (BeginsWithoutLiteral(emittable, ir::Type::kF32)) emittable.functions.emplace_back("F32OfBits");
-  if (BeginsWithoutLiteral(emittable, ir::Type::kF64)) emittable.functions.emplace_back("F64OfBits");
+  AddFunctionsOfInitialValues(emittable);
   std::sort(emittable.functions.begin(), emittable.functions.end());
   emittable.functions.erase(std::unique(emittable.functions.begin(), emittable.functions.end()),
                             emittable.functions.end());
@@ -105,8 +106,9 @@ void FindUsedHeaders(Emittable& emittable) {
     if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF32) headers.insert("floats.h");
     if (inst.op == ir::OpKind::kConst && inst.type == ir::Type::kF64) headers.insert("doubles.h");
   }
-  if (BeginsWithoutLiteral(emittable, ir::Type::kF32)) headers.insert("floats.h");
-  if (BeginsWithoutLiteral(emittable, ir::Type::kF64)) headers.insert("doubles.h");
+  // Not of a statement, then of a value at power-on.
+  if (std::ranges::binary_search(emittable.functions, kFloatOfBits)) headers.insert("floats.h");
+  if (std::ranges::binary_search(emittable.functions, kDoubleOfBits)) headers.insert("doubles.h");
   for (const layout::PlaceStorage& stored : emittable.layout.places) {
     const bool wide = stored.storage == layout::Storage::kWide || stored.storage == layout::Storage::kIndexed ||
                       stored.storage == layout::Storage::kRetentiveWide ||

@@ -87,7 +87,7 @@ struct Comparison {
   bool IsInput(Which which, execute::CellId cell) const;
   /// With the same value in both versions when power comes, if nobody wrote it before.
   bool BeginsAlike(execute::CellId old_cell, execute::CellId new_cell) const {
-    return PowerOnValue(old_version, old_cell) == PowerOnValue(new_version, new_cell);
+    return machine::PowerOnValue(old_version, old_cell) == machine::PowerOnValue(new_version, new_cell);
   }
   /// By either version.
   bool IsWritten(const PairResult& result) const {

@@ -238,10 +238,6 @@ void Matcher::HostFunctions() {
 
 std::vector<bool> CellsThatStartOtherwise(const machine::Version& old_version, const machine::Version& new_version,
                                           const Match& match) {
-  const auto starts_with = [](const machine::Version& version, execute::CellId id) {
-    const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
-    return machine::PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
-  };
   const ir::Program& program = *old_version.program;
   std::vector<bool> starts_otherwise(old_version.cells.count);
   for (const ir::Place& place : program.places) {
@@ -250,7 +246,8 @@ std::vector<bool> CellsThatStartOtherwise(const machine::Version& old_version, c
     const std::vector<execute::CellId> cells = execute::CellsOf(program, old_version.cells, place);
     const bool differs = std::ranges::any_of(cells, [&](execute::CellId old_cell) {
       const execute::CellId new_cell = match.new_of_old[old_cell.index];
-      return new_cell.valid() && starts_with(old_version, old_cell) != starts_with(new_version, new_cell);
+      return new_cell.valid() &&
+             machine::PowerOnValue(old_version, old_cell) != machine::PowerOnValue(new_version, new_cell);
     });
     for (const execute::CellId cell : cells)
       if (differs) starts_otherwise[cell.index] = true;

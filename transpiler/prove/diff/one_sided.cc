@@ -4,12 +4,6 @@
 
 namespace plcxx::prove::diff {
 
-bool PowerOnValue(const machine::Version& version, execute::CellId id) {
-  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
-  return cell.kind == execute::CellKind::kBit &&
-         machine::PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
-}
-
 bool IsPrivate(const machine::Version& version, execute::CellId cell) {
   return machine::DirectionOf(version, cell) == ir::Direction::kInternal && !machine::IsRetentive(version, cell);
 }
@@ -18,7 +12,7 @@ bool OneSidedMemory::Has(execute::CellId old_cell) const {
   const execute::CellId new_cell = match_.new_of_old[old_cell.index];
   const bool old_uses = old_uses_.reads[old_cell.index] || old_uses_.writes[old_cell.index];
   const bool new_uses = new_uses_.reads[new_cell.index] || new_uses_.writes[new_cell.index];
-  return old_uses != new_uses && PowerOnValue(old_, old_cell) == PowerOnValue(new_, new_cell) &&
+  return old_uses != new_uses && machine::PowerOnValue(old_, old_cell) == machine::PowerOnValue(new_, new_cell) &&
          IsPrivate(old_, old_cell);
 }
 

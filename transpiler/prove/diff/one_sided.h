@@ -8,8 +8,6 @@
 
 namespace plcxx::prove::diff {
 
-/// Of the power-on value: of memory the bit that it begins with; of the rest 0.
-bool PowerOnValue(const machine::Version& version, execute::CellId cell);
 /// Internal memory that power-off clears: nobody but the version itself knows of it.
 bool IsPrivate(const machine::Version& version, execute::CellId cell);
 

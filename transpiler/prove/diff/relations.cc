@@ -11,6 +11,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "transpiler/ir/schedule.h"
 #include "transpiler/prove/diff/joint_run.h"
 #include "transpiler/prove/diff/open_cells.h"
 #include "transpiler/support/low_bits.h"
@@ -148,8 +149,7 @@ void Observed::AddState() {
 void Observed::RunOn(terms::Random& random, uint64_t one_in, size_t periods) {
   AddState();
   const ir::Schedule& schedule = comparison_.old_version.program->schedule;
-  const bool is_timed = machine::HasTimedFastPart(comparison_.old_version);
-  const uint32_t fast_parts = is_timed ? std::max(1U, schedule.period_ms / schedule.fast_ms) : 0;
+  const uint32_t fast_parts = ir::FastPartsOfPeriod(schedule);
   for (size_t period = 0; period < periods && !comparison_.Late(); ++period) {
     for (size_t input = 0; input < run_.input_count(); ++input) {
       if (random.OneIn(one_in)) run_.SetInput(input, random.Next());

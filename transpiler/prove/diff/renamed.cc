@@ -84,7 +84,7 @@ void OwnCells::Add(Which which, const std::vector<execute::CellId>& cells, const
     if (variable.kind != terms::TermKind::kVariable) continue;  // it never changes
     own.variable = variable.a;
     own.bit = is_part ? static_cast<uint8_t>(term.b) : uint8_t{0};
-    own.kind = Mixed(own.width, PowerOnValue(version, cell) ? 1 : 0);
+    own.kind = Mixed(own.width, machine::PowerOnValue(version, cell) ? 1 : 0);
     own_.push_back(std::move(own));
   }
 }

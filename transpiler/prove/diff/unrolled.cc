@@ -19,8 +19,7 @@ terms::TermId Unrolled::KeptIn(Which which, execute::CellId cell) {
   const machine::Version& version = is_old ? versions_.old_version : versions_.new_version;
   const execute::CellId old_cell = is_old ? cell : versions_.match.old_of_new[cell.index];
   if (!MayBeKept(versions_.old_version, versions_.new_version, versions_.match, old_cell)) {
-    const execute::Cell at = execute::CellAt(*version.program, version.cells, cell);
-    return terms_.Bit(machine::PowerOnBit(version.program->spaces[at.space], at.offset, at.bit));
+    return terms_.Bit(machine::PowerOnValue(version, cell));
   }
   const auto [at, added] = kept_.try_emplace(old_cell.index);
   if (!added) return at->second;
@@ -45,9 +44,7 @@ void Unrolled::PowerOn(Kept kept) {
     (which == Which::kOld ? old_state_ : new_state_) = machine::RunInit(terms_, version, environment).next;
   }
   level_at_begin_ = [this](uint32_t old_cell) {
-    const machine::Version& version = versions_.old_version;
-    const execute::Cell cell = execute::CellAt(*version.program, version.cells, execute::CellId(old_cell));
-    return uint64_t{machine::PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit)};
+    return uint64_t{machine::PowerOnValue(versions_.old_version, execute::CellId(old_cell))};
   };
 }
 

@@ -222,7 +222,7 @@ void WideRuns::Episode(std::vector<uint32_t>& open, Time end, std::vector<Seen>&
 
 /// What an input is before a run; no value of a cell where nobody knows.
 uint64_t WideRuns::LevelAtBegin(execute::CellId cell, uint32_t lane) const {
-  if (begins_.empty()) return uint64_t{PowerOnValue(versions_.old_version, cell)};
+  if (begins_.empty()) return uint64_t{machine::PowerOnValue(versions_.old_version, cell)};
   const std::optional<uint32_t> number = NumberOf(cell);
   return number ? uint64_t{begins_[lane / 64].levels[*number]} : ~uint64_t{0};
 }

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "transpiler/ir/schedule.h"
 #include "transpiler/prove/invariants/candidates.h"
 #include "transpiler/prove/invariants/concrete_run.h"
 #include "transpiler/prove/machine/requests.h"
@@ -231,8 +232,7 @@ uint64_t InvariantFinder::Finder::AnswerOf(terms::TermId answer, uint64_t made_u
 void InvariantFinder::Finder::RunOn(int periods, uint64_t one_in, const std::function<void()>& after) {
   const ir::Schedule& schedule = version_.program->schedule;
   // Of the fast parts between two periods a few are enough to guess from.
-  const uint32_t fast_parts =
-      machine::HasTimedFastPart(version_) ? std::clamp(schedule.period_ms / schedule.fast_ms, 1U, kMostFast) : 0;
+  const uint32_t fast_parts = std::min(ir::FastPartsOfPeriod(schedule), kMostFast);
   one_in_ = one_in;
   const bool may_be_alone = steps_.size() > 1 && fast_parts == 0;  // the fast part, in some periods
   for (int period = 0; period < periods && !Late(); ++period) {

@@ -107,6 +107,11 @@ bool PowerOnBit(const ir::Space& space, uint32_t offset, uint8_t bit) {
   return at != space.initial.end() && at->offset == offset && (at->value >> bit & 1) != 0;
 }
 
+bool PowerOnValue(const Version& version, execute::CellId id) {
+  const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
+  return cell.kind == execute::CellKind::kBit && PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
+}
+
 bool HasFastPart(const Version& version) {
   const ir::Schedule& schedule = version.program->schedule;
   return schedule.fast_only.valid() && schedule.fast_only != schedule.period;

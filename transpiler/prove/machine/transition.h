@@ -64,5 +64,7 @@ Transition RunInit(terms::Terms& terms, const Version& version, const PartEnviro
 
 /// The value of a cell when power comes: 0, or the program's initial byte.
 bool PowerOnBit(const ir::Space& space, uint32_t offset, uint8_t bit);
+/// The same of a cell; 0 of what is no bit of memory.
+bool PowerOnValue(const Version& version, execute::CellId cell);
 
 }  // namespace plcxx::prove::machine

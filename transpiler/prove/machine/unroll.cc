@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/ir/schedule.h"
 #include "transpiler/symbolic/execute/execute.h"
 
 namespace plcxx::prove::machine {
@@ -28,9 +29,7 @@ terms::TermId Chosen(const terms::Terms& terms, const terms::Term& term, terms::
 /// Before power-on nobody has been called, and a copy of the retentive memory would be as the program says.
 terms::TermId NothingStored(terms::Terms& terms, const Version& version, execute::CellId id) {
   const execute::Cell cell = execute::CellAt(*version.program, version.cells, id);
-  const bool value =
-      cell.kind == execute::CellKind::kBit && PowerOnBit(version.program->spaces[cell.space], cell.offset, cell.bit);
-  return terms.Const(value ? 1 : 0, execute::CellWidth(*version.program, cell));
+  return terms.Const(PowerOnValue(version, id) ? 1 : 0, execute::CellWidth(*version.program, cell));
 }
 
 /// Before power-on nobody has been called, and the host may have any copy of the retentive memory.
@@ -59,8 +58,7 @@ Unrolled::Unrolled(terms::Terms& terms, const Relation& relation, const std::vec
       takes_back_(1),
       known_(1),
       refusal_(relation.refusal()) {
-  const ir::Schedule& schedule = version_.program->schedule;
-  if (schedule.fast_ms != 0) fast_parts_ = std::max(1U, schedule.period_ms / schedule.fast_ms);
+  fast_parts_ = ir::FastPartsOfPeriod(version_.program->schedule);
   if (start == Start::kAnywhere) {
     time_ = terms.Variable(name_ + " now", 32);
     return;

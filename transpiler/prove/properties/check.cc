@@ -121,15 +121,16 @@ PropertyResult PropertyChecker::Check(const Property& property) {
 bool PropertyChecker::DependsOnFastPart(const Property& property) {
   if (!machine::HasFastPart(version_)) return false;
   machine::Relation& relation = Widest();
-  const machine::Transition fast =
-      machine::RunPart(terms_, version_, machine::Part::kFast,
-                       {.initial = [&relation](execute::CellId cell) { return relation.VariableOf(cell); },
-                        .now = relation.now(),
-                        .observed = {}});
-  if (!fast.refusal.empty()) return true;
+  if (!fast_part_)
+    fast_part_ = machine::RunPart(terms_, version_, machine::Part::kFast,
+                                  {.initial = [&relation](execute::CellId cell) { return relation.VariableOf(cell); },
+                                   .now = relation.now(),
+                                   .observed = {}});
+  if (!fast_part_->refusal.empty()) return true;
   std::vector<terms::TermId> next;
   for (const execute::CellId cell : CellsBehind(terms_, relation, OperandCellsOf(property))) {
-    if (!new_each_time_[cell.index] && fast.next[cell.index].valid()) next.push_back(fast.next[cell.index]);
+    const terms::TermId after = fast_part_->next[cell.index];
+    if (!new_each_time_[cell.index] && after.valid()) next.push_back(after);
   }
   return std::ranges::any_of(terms::ConeOf(terms_, next), [&](terms::TermId id) {
     if (terms_[id].kind != terms::TermKind::kVariable) return false;

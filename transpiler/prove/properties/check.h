@@ -202,9 +202,10 @@ class PropertyChecker {
   std::unique_ptr<machine::Unrolled> plain_;   // from power-on, the host answers 0
   std::unique_ptr<machine::Unrolled>
       answered_;  // from power-on, the host answers anything; none where that makes no difference
-  std::unique_ptr<machine::Unrolled> anywhere_;  // from any state
-  std::unique_ptr<WideSearch> wide_;             // of the present check, once it was needed
-  uint32_t not_repeated_ = 0;                    // runs of it
+  std::unique_ptr<machine::Unrolled> anywhere_;   // from any state
+  std::optional<machine::Transition> fast_part_;  // alone, over the variables of Widest(), once it was needed
+  std::unique_ptr<WideSearch> wide_;              // of the present check, once it was needed
+  uint32_t not_repeated_ = 0;                     // runs of it
   std::vector<invariants::Invariant> invariants_;
   bool too_large_ = false;  // the last question was not asked
   uint32_t replays_ = 0;    // runs of this check that were asked why they are not shown

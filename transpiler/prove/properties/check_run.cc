@@ -15,6 +15,7 @@ namespace plcxx::prove::properties {
 /// What the host has written at power-on, or loaded, where that matters: in a scenario it is set before.
 std::vector<InputValue> PropertyChecker::BeforePowerOn(machine::Unrolled& unrolled, const Cone& cone) {
   std::vector<InputValue> values = RetentiveOf(cone);
+  if (!cone.has_unknown_function()) return values;  // nothing of it depends on an answer
   const ir::Program& program = *version_.program;
   std::map<uint32_t, std::pair<ir::SpaceId, uint32_t>> byte_of;  // by function that gives it
   for (const ir::HostFunction& host : program.host_functions) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "transpiler/ir/schedule.h"
 #include "transpiler/prove/machine/answers.h"
 #include "transpiler/prove/properties/condition.h"
 #include "transpiler/symbolic/execute/cells.h"
@@ -236,8 +237,7 @@ std::optional<PropertyRun> WideSearch::Episode(Time end) {
 PropertyRun WideSearch::RunOf(uint32_t lane) const {
   const auto end = static_cast<uint32_t>(history_.size());
   const std::vector<uint32_t> way = wide::WayOf(history_, lane, end);
-  const ir::Schedule& schedule = relation_.version().program->schedule;
-  const uint32_t parts = schedule.fast_ms == 0 ? 1 : std::max(1U, schedule.period_ms / schedule.fast_ms);
+  const uint32_t parts = std::max(1U, ir::FastPartsOfPeriod(relation_.version().program->schedule));
   PropertyRun run;
   run.periods.assign(end, std::vector<std::vector<InputValue>>(parts));
   std::map<execute::CellId, bool> level;

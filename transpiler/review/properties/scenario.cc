@@ -107,11 +107,7 @@ bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties:
   // A scenario sets whole words: what the run does not name of them is as it was when power came.
   std::map<CellId, bool> now;
   for (const scenarios::InputWord& word : words) {
-    for (const CellId id : word.cells) {
-      const execute::Cell cell = execute::CellAt(program, machine.version.cells, id);
-      now[id] = cell.kind == execute::CellKind::kBit &&
-                prove::machine::PowerOnBit(program.spaces[cell.space], cell.offset, cell.bit);
-    }
+    for (const CellId id : word.cells) now[id] = prove::machine::PowerOnValue(machine.version, id);
   }
   const InputTexts texts(machine);
   uint32_t runs = 0;  // parts without a change in between
