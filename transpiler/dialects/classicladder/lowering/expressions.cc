@@ -1,12 +1,11 @@
-// Compare and operate boxes.
-
-#include "transpiler/dialects/classicladder/lowering/internal.h"
+#include "transpiler/dialects/classicladder/lowering/expressions.h"
 
 namespace plcxx::classicladder {
-namespace {
 
 using ir::OpKind;
 using ir::ValueId;
+
+namespace {
 
 OpKind OpOf(Relation relation) {
   switch (relation) {
@@ -28,8 +27,7 @@ OpKind OpOf(Relation relation) {
 
 }  // namespace
 
-/// The engine evaluates it whatever comes from the left, which a fault shows.
-Signal Lowering::Compare(uint32_t number) {
+Signal Expressions::Compare(uint32_t number) {
   const Expression& comparison = tree_.comparisons.at(number);
   if (comparison.empty) return {};
   const ValueId left = Evaluate(comparison, comparison.left);
@@ -37,14 +35,14 @@ Signal Lowering::Compare(uint32_t number) {
   return Signal::Of(builder_.Pure(OpOf(comparison.relation), {left, right}));
 }
 
-void Lowering::Operate(uint32_t number) {
+void Expressions::Operate(uint32_t number) {
   const Expression& operation = tree_.operations.at(number);
   if (operation.empty) return;
-  WriteNumber(operation.target, Evaluate(operation, operation.right));
+  accesses_.WriteNumber(operation.target, Evaluate(operation, operation.right));
 }
 
 /// By 0: 2.9 leaves the left side as it is, and the process of 2.10 ends.
-ValueId Lowering::Divide(OpKind op, ValueId dividend, ValueId divisor) {
+ValueId Expressions::Divide(OpKind op, ValueId dividend, ValueId divisor) {
   if (tree_.sizes.version == LinuxCnc::kTwoNine) {
     // The rest of a division by 0 is the dividend anyway.
     return builder_.Pure(op == OpKind::kSignedDiv32 ? OpKind::kQuotientOrDividend32 : op, {dividend, divisor});
@@ -52,13 +50,13 @@ ValueId Lowering::Divide(OpKind op, ValueId dividend, ValueId divisor) {
   const ir::Inst& inst = program_[divisor];
   const bool known = inst.op == OpKind::kConst && ir::ConstantValue(inst) != 0;
   if (!known) {
-    builder_.When(builder_.Pure(OpKind::kEqual32, {divisor, Word(0)}), [&] { CallFault(Fault::kDivision); });
+    builder_.When(builder_.Pure(OpKind::kEqual32, {divisor, Word(0)}), [&] { faults_.Report(Fault::kDivision); });
   }
   return builder_.Pure(op, {dividend, divisor});
 }
 
 /// Squares `base` as often as `exponent` says. After 31 times nothing changes any more: it is 0 or 1.
-ValueId Lowering::Power(ValueId base, ValueId exponent) {
+ValueId Expressions::Power(ValueId base, ValueId exponent) {
   constexpr uint32_t kMostSquares = 31;
   const ir::Inst inst = program_[exponent];
   const bool known = inst.op == OpKind::kConst;
@@ -77,7 +75,7 @@ ValueId Lowering::Power(ValueId base, ValueId exponent) {
   return result;
 }
 
-ValueId Lowering::Evaluate(const Expression& expression, uint32_t node) {
+ValueId Expressions::Evaluate(const Expression& expression, uint32_t node) {
   const ExprNode& at = expression.nodes[node];
   const auto operand = [&](size_t index) { return Evaluate(expression, at.operands[index]); };
   const auto binary = [&](OpKind op) {
@@ -96,7 +94,7 @@ ValueId Lowering::Evaluate(const Expression& expression, uint32_t node) {
     case ExprKind::kConstant:
       return Word(at.value);
     case ExprKind::kVariable:
-      return ReadNumber(at.variable);
+      return accesses_.ReadNumber(at.variable);
     case ExprKind::kNot: {
       const ValueId zero = builder_.Pure(OpKind::kEqual32, {operand(0), Word(0)});
       return builder_.Pure(OpKind::kWiden1To32, {zero});

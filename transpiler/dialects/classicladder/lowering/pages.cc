@@ -1,42 +1,31 @@
-// Sequential pages: transitions until nothing changes any more, then the variables of the steps.
+#include "transpiler/dialects/classicladder/lowering/pages.h"
 
-#include "transpiler/dialects/classicladder/lowering/internal.h"
+#include <string>
 
 namespace plcxx::classicladder {
 
 using ir::OpKind;
 using ir::ValueId;
 
-ir::PlaceId Lowering::ActiveOf(uint32_t step) {
-  return Named("step" + std::to_string(step) + "_active", StepActive(step));
-}
-
-/// Sets `changed` where it fires; also where it has no step before it.
-void Lowering::Fire(const Transition& transition) {
+void Pages::Fire(const Transition& transition) {
   builder_.SetRange(transition.range);
-  ValueId fires = ReadBit(transition.condition);
+  ValueId fires = accesses_.ReadBit(transition.condition);
   for (const uint32_t step : transition.deactivates) {
-    fires = builder_.Pure(OpKind::kBitAnd, {fires, builder_.Load(ActiveOf(step))});
+    fires = builder_.Pure(OpKind::kBitAnd, {fires, builder_.Load(places_.ActiveOf(step))});
   }
   builder_.When(fires, [&] {
-    for (const uint32_t step : transition.deactivates) builder_.Store(ActiveOf(step), builder_.Bit(0));
-    for (const uint32_t step : transition.activates) builder_.Store(ActiveOf(step), builder_.Bit(1));
+    for (const uint32_t step : transition.deactivates) builder_.Store(places_.ActiveOf(step), builder_.Bit(0));
+    for (const uint32_t step : transition.activates) builder_.Store(places_.ActiveOf(step), builder_.Bit(1));
     builder_.Store(changed_, builder_.Bit(1));
   });
 }
 
-void Lowering::LowerPage(const Section& section) {
+void Pages::Lower(const Section& section) {
   const ir::RegionId outside = builder_.region();
-  dialects::TextHash hash;
-  for (const char c : sources_.Text(section.range)) hash.Add(c);
-  builder_.SetRange(section.range);
-  builder_.Statement(program_.statements.Add({.range = section.range,
-                                              .comments = {},
-                                              .subject = "page" + std::to_string(section.page),
-                                              .id = statement_ids_.Next(hash)}));
+  statements_.Begin(section);
   if (!changed_.valid()) {
-    changed_ = NewLocal("changed", ir::Type::kBit);
-    rounds_ = NewLocal("rounds", ir::Type::kI32);
+    changed_ = places_.NewLocal("changed", ir::Type::kBit);
+    rounds_ = places_.NewLocal("rounds", ir::Type::kI32);
   }
   builder_.Store(changed_, builder_.Bit(1));
   builder_.Store(rounds_, Word(0));
@@ -67,23 +56,23 @@ void Lowering::LowerPage(const Section& section) {
   builder_.CallRoutine(steps_, {});
 }
 
-void Lowering::RefreshStep(uint32_t index, const Step& step) {
+void Pages::RefreshStep(uint32_t index, const Step& step) {
   constexpr uint32_t kMsPerSecond = 1000;
   builder_.SetRange(step.range);
-  const ir::PlaceId ms = Named("step" + std::to_string(index) + "_ms", StepMs(index));
+  const ir::PlaceId ms = places_.Named("step" + std::to_string(index) + "_ms", StepMs(index));
   builder_.Choose(
-      builder_.Load(ActiveOf(index)),
+      builder_.Load(places_.ActiveOf(index)),
       [&] { builder_.Store(ms, builder_.Pure(OpKind::kAdd32, {builder_.Load(ms), Word(settings_.period_ms)})); },
       [&] { builder_.Store(ms, Word(0)); });
-  const ValueId active = builder_.Load(ActiveOf(index));
-  builder_.Store(PlaceOf({VariableKind::kStepActive, step.number}), active);
+  const ValueId active = builder_.Load(places_.ActiveOf(index));
+  builder_.Store(places_.Of({VariableKind::kStepActive, step.number}), active);
   const ValueId seconds = builder_.Pure(OpKind::kSignedDiv32, {builder_.Load(ms), Word(kMsPerSecond)});
-  builder_.Store(PlaceOf({VariableKind::kStepTime, step.number}), seconds);
+  builder_.Store(places_.Of({VariableKind::kStepTime, step.number}), seconds);
 }
 
 /// 2.10 passes over steps that are not there. 2.9 does not: each has the number 0, and the last one of the array
 /// writes last.
-void Lowering::RefreshSteps() {
+void Pages::LowerRefresh() {
   if (!steps_.valid()) return;
   builder_.SetRegion(program_.routines[steps_].body);
   const bool all = tree_.sizes.version == LinuxCnc::kTwoNine;
