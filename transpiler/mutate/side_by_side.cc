@@ -73,7 +73,7 @@ class Runner {
     };
     clock_.interrupted = [this] { return undecided_ == 0; };
     simulator_.StopWhen([this] { return simulator_.executed() > stop_at_; });
-    simulator_.LookForDifferences(request.changes);
+    simulator_.changes().LookForDifferences(request.changes);
     for (const PlannedStep& step : plan.steps) {
       looks_at_calls_ |= std::holds_alternative<scenarios::ExpectCallsStep>(step.written->action);
       looks_at_messages_ |= std::holds_alternative<scenarios::ExpectMessagesStep>(step.written->action);
@@ -154,7 +154,7 @@ class Runner {
   /// Takes out those that have ended, and those that are the original again.
   void Judge() {
     std::erase_if(changed_, [this](const Changed& one) {
-      if (one.is_original) simulator_.LookFor(one.change, true);
+      if (one.is_original) simulator_.changes().LookFor(one.change, true);
       if (!one.ending) return one.is_original;
       endings_[one.change] = *one.ending;
       --undecided_;
@@ -210,7 +210,7 @@ class Runner {
   }
 
   void RunOthers(Piece piece, uint32_t now_ms) {
-    for (const uint32_t change : simulator_.TakeDifferences())
+    for (const uint32_t change : simulator_.changes().TakeDifferences())
       changed_.push_back(
           {.change = change, .moment = Start(), .executed = executed_at_start_, .ending = {}, .is_original = false});
     if (changed_.empty()) return;
@@ -223,12 +223,12 @@ class Runner {
       one.is_original = !one.ending && IsOriginal(one.moment);
     }
     stop_at_ = UINT64_MAX;
-    simulator_.Change({});
+    simulator_.changes().Change({});
     Judge();
   }
 
   void RunChanged(Changed& one, Piece piece, uint32_t now_ms) {
-    simulator_.Change(request_.changes[one.change]);
+    simulator_.changes().Change(request_.changes[one.change]);
     const uint64_t before = simulator_.executed();
     stop_at_ = before + (request_.most - std::min(request_.most, one.executed));
     if (IsPeriod(piece)) control_.BeforePeriod(now_ms);

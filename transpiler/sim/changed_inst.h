@@ -1,7 +1,7 @@
 // One instruction that does something else than the program says.
 //
 // In: where it stands, and what it does instead. A simulator executes it so, or says in the program as it is where that
-// would make a difference (Simulator::Change, Simulator::LookForDifferences). Not its job: which changes are worth
+// would make a difference (changes.h). Not its job: which changes are worth
 // trying (transpiler/mutate).
 #pragma once
 

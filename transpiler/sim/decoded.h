@@ -1,21 +1,21 @@
 // Instructions made ready for execution: the function of each and what it has to know, in the order of execution.
 //
 // In: a program. Out: for each region a stretch of decoded instructions; constants stand at its end, for their values
-// are there from the start. Not its job: what an instruction does (simulator_decode.cc), and how regions are entered.
+// are there from the start. Not its job: what an instruction does (instructions.h), and how regions are entered.
 #pragma once
 
 #include <cstdint>
 
 namespace plcxx::sim {
 
-class Simulator;
+struct Execution;
 
 /// Whether execution goes on after an instruction, or an Exit is on its way to the block or loop that it leaves.
 enum class Flow : uint8_t { kOn, kLeaving };
 
 /// Half a line of the cache, for a program of thousands of statements is read from memory in each period.
 struct Decoded {
-  Flow (*execute)(Simulator& simulator, const Decoded& inst) = nullptr;
+  Flow (*execute)(Execution& execution, const Decoded& inst) = nullptr;
   uint32_t id = 0;       // its InstId, which is where its result goes, too
   uint32_t order = 0;    // how many are in front of it in its region
   uint32_t a = 0;        // operand: whose result it is

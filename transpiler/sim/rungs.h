@@ -4,7 +4,7 @@
 // function, and these cost more than what the functions do. So the contacts of a rung and what joins them are steps of
 // one form, without a jump: a value of two bits, each of which stands in some byte. Each step still leaves its value
 // where the instruction would, for whoever looks. Not its job: what a statement's number is for, and how its coil is
-// written (simulator_decode.cc).
+// written (instructions.h).
 #pragma once
 
 #include <cstddef>
