@@ -1,11 +1,13 @@
-// Outputs that can always still be moved: for every state there are inputs, which is not one question to a solver.
-//
-// A few sequences of inputs are collected, of which one works from every state: a state from which none of those so far
-// works is found, then inputs that work from this very state, until there is no such state, or no such inputs. The host
-// answers 0 here.
-#include <algorithm>
+#include "transpiler/prove/properties/stuck.h"
 
-#include "transpiler/prove/properties/check.h"
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "transpiler/prove/properties/cone.h"
+#include "transpiler/prove/properties/reach_check.h"
+#include "transpiler/prove/properties/run_of.h"
 
 namespace plcxx::prove::properties {
 namespace {
@@ -20,185 +22,215 @@ terms::TermId Wanted(terms::Terms& terms, const Property& property, bool wanted,
   return wanted ? output : terms.Not(output);
 }
 
-}  // namespace
+/// Values of inputs, by period, part and cell; what is not in them is 0.
+using Strategy = std::vector<std::vector<std::map<execute::CellId, uint64_t>>>;
+/// By cell; what is not in it is 0.
+using State = std::map<execute::CellId, uint64_t>;
 
-/// Whether the strategy makes the output what is wanted, from the state of `from` after `period`; `asked` gets the
-/// cells of that state on which it depends.
-std::optional<terms::TermId> PropertyChecker::Reached(const StuckSearch& search, const Strategy& strategy,
-                                                      machine::Unrolled& from, uint32_t period,
-                                                      PropertyResult& result) {
-  machine::Unrolled trial(terms_, *silent_, inputs_, machine::Start::kAnywhere, "trial");
-  trial.late = [this] { return Late(); };
+enum class Reach : uint8_t { kAlways, kStuck, kUnknown };
+
+/// Inputs that make the output `wanted`, whatever the state.
+class StuckSearch {
+ public:
+  StuckSearch(CheckedProgram& checked, const ProgramInvariants& invariants, const Property& property, bool wanted)
+      : checked_(checked), invariants_(invariants), property_(property), wanted_(wanted) {}
+
+  Reach FromAnywhere(PropertyResult& result);
+  /// The same from the states that runs of so many periods reach; kStuck comes with the run.
+  Reach After(uint32_t period, PropertyResult& result);
+  /// Whether no state can be reached from which none of the sequences of inputs works.
+  bool IsNeverStuck(PropertyResult& result);
+  /// Behind kStuck: a state from which no inputs reach it.
+  const State& stuck() const { return stuck_; }
+
+ private:
+  /// Adds a strategy that works from this state; kStuck: there is none.
+  Reach FindStrategy(const State& state, uint64_t time, PropertyResult& result);
+  /// Whether the strategy makes the output what is wanted, from the state of `from` after `period`; none: the time is
+  /// over.
+  std::optional<terms::TermId> Reached(const Strategy& strategy, machine::Unrolled& from, uint32_t period,
+                                       PropertyResult& result);
+
+  CheckedProgram& checked_;
+  const ProgramInvariants& invariants_;
+  const Property& property_;
+  bool wanted_;
+  std::vector<Strategy> strategies_;
+  State stuck_;
+};
+
+std::optional<terms::TermId> StuckSearch::Reached(const Strategy& strategy, machine::Unrolled& from, uint32_t period,
+                                                  PropertyResult& result) {
+  machine::Unrolled trial(checked_.terms, *checked_.silent, checked_.inputs, machine::Start::kAnywhere, "trial");
+  trial.late = [this] { return checked_.Late(); };
   trial.StartFrom([&from, period](execute::CellId cell) { return from.Value(cell, period); }, from.TimeAfter(period));
   trial.choose_input = [this, &strategy](execute::CellId cell, uint32_t at, uint32_t part) {
-    const uint8_t width =
-        execute::CellWidth(*version_.program, execute::CellAt(*version_.program, version_.cells, cell));
-    const std::map<execute::CellId, uint64_t>& values = strategy[at - 1][part];
+    const uint8_t width = execute::CellWidth(*checked_.version.program,
+                                             execute::CellAt(*checked_.version.program, checked_.version.cells, cell));
+    const State& values = strategy[at - 1][part];
     const auto value = values.find(cell);
-    return terms_.Const(value == values.end() ? 0 : value->second, width);
+    return checked_.terms.Const(value == values.end() ? 0 : value->second, width);
   };
-  terms::TermId reached = terms_.Bit(false);
-  for (uint32_t at = 1; at <= search.property.periods; ++at) {
-    if (Extend(trial, at, result)) return std::nullopt;
-    reached = terms_.Or(reached, Wanted(terms_, search.property, search.wanted, at, trial));
+  terms::TermId reached = checked_.terms.Bit(false);
+  for (uint32_t at = 1; at <= property_.periods; ++at) {
+    if (Extend(checked_, trial, at, result)) return std::nullopt;
+    reached = checked_.terms.Or(reached, Wanted(checked_.terms, property_, wanted_, at, trial));
   }
   return reached;
 }
 
-/// Adds a strategy that works from this state; kStuck: there is none.
-PropertyChecker::Reach PropertyChecker::FindStrategy(StuckSearch& search,
-                                                     const std::map<execute::CellId, uint64_t>& state, uint64_t time,
-                                                     PropertyResult& result) {
-  machine::Unrolled trial(terms_, *silent_, inputs_, machine::Start::kAnywhere,
-                          "try " + std::to_string(terms_.variable_count()));
-  trial.late = [this] { return Late(); };
+Reach StuckSearch::FindStrategy(const State& state, uint64_t time, PropertyResult& result) {
+  machine::Unrolled trial(checked_.terms, *checked_.silent, checked_.inputs, machine::Start::kAnywhere,
+                          "try " + std::to_string(checked_.terms.variable_count()));
+  trial.late = [this] { return checked_.Late(); };
   trial.StartFrom(
       [this, &state](execute::CellId cell) {
         const auto value = state.find(cell);
-        const uint8_t width =
-            execute::CellWidth(*version_.program, execute::CellAt(*version_.program, version_.cells, cell));
-        return terms_.Const(value == state.end() ? 0 : value->second, width);
+        const uint8_t width = execute::CellWidth(
+            *checked_.version.program, execute::CellAt(*checked_.version.program, checked_.version.cells, cell));
+        return checked_.terms.Const(value == state.end() ? 0 : value->second, width);
       },
-      terms_.Const(time, 32));
-  terms::TermId reached = terms_.Bit(false);
-  for (uint32_t period = 1; period <= search.property.periods; ++period) {
-    if (Extend(trial, period, result)) return Reach::kUnknown;
-    reached = terms_.Or(reached, Wanted(terms_, search.property, search.wanted, period, trial));
+      checked_.terms.Const(time, 32));
+  terms::TermId reached = checked_.terms.Bit(false);
+  for (uint32_t period = 1; period <= property_.periods; ++period) {
+    if (Extend(checked_, trial, period, result)) return Reach::kUnknown;
+    reached = checked_.terms.Or(reached, Wanted(checked_.terms, property_, wanted_, period, trial));
   }
-  switch (Ask({&reached, 1}, RestMs())) {
+  switch (Ask(checked_, {&reached, 1}, checked_.RestMs())) {
     case solver::Answer::kNever:
-      search.stuck = state;
+      stuck_ = state;
       return Reach::kStuck;
     case solver::Answer::kUnknown:
-      result.reason = WhyUnknown();
+      result.reason = WhyUnknown(checked_);
       return Reach::kUnknown;
     case solver::Answer::kPossible:
       break;
   }
   Strategy strategy;
-  for (uint32_t period = 1; period <= search.property.periods; ++period) {
+  for (uint32_t period = 1; period <= property_.periods; ++period) {
     strategy.emplace_back();
     for (const machine::Unrolled::Part& part : trial.parts(period)) {
       strategy.back().emplace_back();
-      for (const auto& [cell, variable] : part) strategy.back().back()[cell] = solver_->ValueOf(variable);
+      for (const auto& [cell, variable] : part) strategy.back().back()[cell] = checked_.solver->ValueOf(variable);
     }
   }
-  if (search.strategies.size() >= kMostStrategies) {
+  if (strategies_.size() >= kMostStrategies) {
     result.reason = "no " + std::to_string(kMostStrategies) + " sequences of inputs are enough for all states";
     return Reach::kUnknown;
   }
-  search.strategies.push_back(std::move(strategy));
+  strategies_.push_back(std::move(strategy));
   return Reach::kAlways;
 }
 
-PropertyChecker::Reach PropertyChecker::ReachFromAnywhere(StuckSearch& search, PropertyResult& result) {
+Reach StuckSearch::FromAnywhere(PropertyResult& result) {
   // Of a state only what the output depends on counts: facts are looked for around it. Properties that were checked
   // before have asked for other cells.
-  std::vector<bool> matters(version_.cells.count);
-  for (const execute::CellId cell : CellsBehind(terms_, *silent_, search.property.operands.front().cells))
+  std::vector<bool> matters(checked_.version.cells.count);
+  for (const execute::CellId cell : CellsBehind(checked_.terms, *checked_.silent, property_.operands.front().cells))
     matters[cell.index] = true;
-  std::vector<terms::TermId> conditions;
-  for (const invariants::Invariant& invariant : invariants_) {
-    conditions.push_back(
-        invariants::ConditionOf(terms_, invariant, [this](execute::CellId cell) { return anywhere_->Value(cell, 0); }));
-  }
+  std::vector<terms::TermId> conditions =
+      invariants_.ConditionsOf([this](execute::CellId cell) { return checked_.anywhere->Value(cell, 0); });
   for (size_t tried = 0;;) {
-    for (; tried < search.strategies.size(); ++tried) {
-      const std::optional<terms::TermId> reached = Reached(search, search.strategies[tried], *anywhere_, 0, result);
+    for (; tried < strategies_.size(); ++tried) {
+      const std::optional<terms::TermId> reached = Reached(strategies_[tried], *checked_.anywhere, 0, result);
       if (!reached) return Reach::kUnknown;
-      conditions.push_back(terms_.Not(*reached));
+      conditions.push_back(checked_.terms.Not(*reached));
     }
-    Report("inputs that make it " + std::to_string(search.wanted ? 1 : 0) + ": " + std::to_string(tried));
-    const solver::Answer answer = Ask(conditions, RestMs());
+    checked_.Report("inputs that make it " + std::to_string(wanted_ ? 1 : 0) + ": " + std::to_string(tried));
+    const solver::Answer answer = Ask(checked_, conditions, checked_.RestMs());
     if (answer == solver::Answer::kNever) return Reach::kAlways;
     if (answer == solver::Answer::kUnknown) {
-      result.reason = WhyUnknown();
+      result.reason = WhyUnknown(checked_);
       return Reach::kUnknown;
     }
-    std::map<execute::CellId, uint64_t> state;
-    for (const auto& [cell, variable] : anywhere_->start_variables()) {
-      if (matters[cell.index]) state[cell] = solver_->ValueOf(variable);
+    State state;
+    for (const auto& [cell, variable] : checked_.anywhere->start_variables()) {
+      if (matters[cell.index]) state[cell] = checked_.solver->ValueOf(variable);
     }
-    const uint64_t time = solver_->ValueOf(anywhere_->TimeAfter(0));
-    const Reach found = FindStrategy(search, state, time, result);
+    const uint64_t time = checked_.solver->ValueOf(checked_.anywhere->TimeAfter(0));
+    const Reach found = FindStrategy(state, time, result);
     if (found != Reach::kAlways) return found;
   }
 }
 
-/// The same from the states that runs of so many periods reach; kStuck comes with the run.
-PropertyChecker::Reach PropertyChecker::ReachAfter(StuckSearch& search, uint32_t period, PropertyResult& result) {
-  if (Extend(*plain_, period, result)) return Reach::kUnknown;
-  const machine::Uses uses = machine::UsesOf(version_);
-  const std::vector<execute::CellId>& outputs = search.property.operands.front().cells;
+Reach StuckSearch::After(uint32_t period, PropertyResult& result) {
+  if (Extend(checked_, *checked_.plain, period, result)) return Reach::kUnknown;
+  const machine::Uses uses = machine::UsesOf(checked_.version);
+  const std::vector<execute::CellId>& outputs = property_.operands.front().cells;
   // The whole state: what else is read decides, too. The output itself may be read by nobody, and counts.
   const auto decides = [&](execute::CellId cell) {
-    return !inputs_[cell.index] && (uses.reads[cell.index] || std::ranges::find(outputs, cell) != outputs.end());
+    return !checked_.inputs[cell.index] &&
+           (uses.reads[cell.index] || std::ranges::find(outputs, cell) != outputs.end());
   };
   std::vector<terms::TermId> conditions;
   for (size_t tried = 0;;) {
-    for (; tried < search.strategies.size(); ++tried) {
-      const std::optional<terms::TermId> reached = Reached(search, search.strategies[tried], *plain_, period, result);
+    for (; tried < strategies_.size(); ++tried) {
+      const std::optional<terms::TermId> reached = Reached(strategies_[tried], *checked_.plain, period, result);
       if (!reached) return Reach::kUnknown;
-      conditions.push_back(terms_.Not(*reached));
+      conditions.push_back(checked_.terms.Not(*reached));
     }
-    Report("states after " + std::to_string(period) + " periods: " + std::to_string(tried));
-    const solver::Answer answer = Ask(conditions, RestMs());
+    checked_.Report("states after " + std::to_string(period) + " periods: " + std::to_string(tried));
+    const solver::Answer answer = Ask(checked_, conditions, checked_.RestMs());
     if (answer == solver::Answer::kNever) return Reach::kAlways;
     if (answer == solver::Answer::kUnknown) {
-      result.reason = WhyUnknown();
+      result.reason = WhyUnknown(checked_);
       return Reach::kUnknown;
     }
-    std::map<execute::CellId, uint64_t> state;
-    terms::TermId same = terms_.Bit(true);
-    for (uint32_t i = 0; i < version_.cells.count; ++i) {
+    State state;
+    terms::TermId same = checked_.terms.Bit(true);
+    for (uint32_t i = 0; i < checked_.version.cells.count; ++i) {
       const execute::CellId cell(i);
       if (!decides(cell)) continue;
-      const terms::TermId value = plain_->Value(cell, period);
-      state[cell] = solver_->ValueOf(value);
-      same = terms_.And(same, terms_.Eq(value, terms_.Const(state[cell], terms_.Width(value))));
+      const terms::TermId value = checked_.plain->Value(cell, period);
+      state[cell] = checked_.solver->ValueOf(value);
+      same = checked_.terms.And(
+          same, checked_.terms.Eq(value, checked_.terms.Const(state[cell], checked_.terms.Width(value))));
     }
-    const Reach found = FindStrategy(search, state, terms_.Value(plain_->TimeAfter(period)), result);
+    const Reach found = FindStrategy(state, checked_.terms.Value(checked_.plain->TimeAfter(period)), result);
     if (found == Reach::kAlways) continue;
     if (found == Reach::kUnknown) return found;
-    if (Ask({&same, 1}, RestMs()) != solver::Answer::kPossible) return Reach::kUnknown;
-    result.run = RunOf(*plain_, same, period);
+    if (Ask(checked_, {&same, 1}, checked_.RestMs()) != solver::Answer::kPossible) return Reach::kUnknown;
+    result.run = RunOf(checked_, *checked_.plain, same, period);
     return Reach::kStuck;
   }
 }
 
-/// Whether no state can be reached from which none of the sequences of inputs works.
-bool PropertyChecker::IsNeverStuck(const StuckSearch& search, PropertyResult& result) {
-  machine::Relation& relation = Widest();
-  machine::Unrolled from(terms_, relation, inputs_, machine::Start::kAnywhere,
-                         "from " + std::to_string(terms_.variable_count()));
-  from.late = [this] { return Late(); };
+bool StuckSearch::IsNeverStuck(PropertyResult& result) {
+  machine::Relation& relation = checked_.Widest();
+  machine::Unrolled from(checked_.terms, relation, checked_.inputs, machine::Start::kAnywhere,
+                         "from " + std::to_string(checked_.terms.variable_count()));
+  from.late = [this] { return checked_.Late(); };
   from.StartFrom([&relation](execute::CellId cell) { return relation.VariableOf(cell); }, relation.now());
-  terms::TermId bad = terms_.Bit(true);
-  for (const Strategy& strategy : search.strategies) {
-    const std::optional<terms::TermId> reached = Reached(search, strategy, from, 0, result);
+  terms::TermId bad = checked_.terms.Bit(true);
+  for (const Strategy& strategy : strategies_) {
+    const std::optional<terms::TermId> reached = Reached(strategy, from, 0, result);
     if (!reached) return false;
-    bad = terms_.And(bad, terms_.Not(*reached));
+    bad = checked_.terms.And(bad, checked_.terms.Not(*reached));
   }
-  return IsNeverReached(bad, {}, result);
+  const MoreWords none;
+  return IsNeverReached(checked_, QuestionOf(checked_, invariants_, bad, none), result);
 }
 
-PropertyResult PropertyChecker::CheckNeverStuck(const Property& property) {
+}  // namespace
+
+PropertyResult CheckNeverStuck(CheckedProgram& checked, ProgramInvariants& invariants, RunTrials& trials,
+                               const Property& property) {
   PropertyResult result;
   result.periods = property.periods;
   for (const bool wanted : {true, false}) {
-    StuckSearch search{.property = property, .wanted = wanted, .strategies = {}, .stuck = {}};
-    Reach reach = ReachFromAnywhere(search, result);
-    if (reach == Reach::kStuck && invariants_.empty() && !Late()) {
+    StuckSearch search(checked, invariants, property, wanted);
+    Reach reach = search.FromAnywhere(result);
+    if (reach == Reach::kStuck && invariants.found().empty() && !checked.Late()) {
       std::vector<execute::CellId> cells;
-      for (const auto& [cell, value] : search.stuck) {
-        if (!inputs_[cell.index]) cells.push_back(cell);
+      for (const auto& [cell, value] : search.stuck()) {
+        if (!checked.inputs[cell.index]) cells.push_back(cell);
       }
-      FindInvariantsAround(cells);
-      if (!invariants_.empty()) reach = ReachFromAnywhere(search, result);
+      invariants.FindAround(cells);
+      if (!invariants.found().empty()) reach = search.FromAnywhere(result);
     }
-    for (uint32_t period = 1; reach == Reach::kStuck && period <= std::min(kMostStuckDepth, options_.most_periods);
-         ++period) {
-      const Reach after = ReachAfter(search, period, result);
+    for (uint32_t period = 1;
+         reach == Reach::kStuck && period <= std::min(kMostStuckDepth, checked.options.most_periods); ++period) {
+      const Reach after = search.After(period, result);
       if (after == Reach::kUnknown) return result;
       result.searched = period;
       if (after == Reach::kAlways) continue;
@@ -206,10 +238,10 @@ PropertyResult PropertyChecker::CheckNeverStuck(const Property& property) {
       result.stuck_at = !wanted;
       result.reason = "from there no inputs make it " + std::to_string(wanted ? 1 : 0) + " within " +
                       std::to_string(property.periods) + " periods";
-      Conclude(property, result, terms::TermId(), result);
+      trials.Conclude(property, result, terms::TermId(), result);
       return result;
     }
-    if (reach == Reach::kStuck && IsNeverStuck(search, result)) reach = Reach::kAlways;
+    if (reach == Reach::kStuck && search.IsNeverStuck(result)) reach = Reach::kAlways;
     if (reach == Reach::kAlways) continue;
     if (reach == Reach::kStuck) {
       result.reason = "there is a state from which no inputs make it " + std::to_string(wanted ? 1 : 0) +
@@ -219,7 +251,7 @@ PropertyResult PropertyChecker::CheckNeverStuck(const Property& property) {
   }
   result.verdict = PropertyVerdict::kProved;
   result.reason.clear();
-  result.invariants = std::max(result.invariants, static_cast<uint32_t>(invariants_.size()));
+  result.invariants = std::max(result.invariants, static_cast<uint32_t>(invariants.found().size()));
   return result;
 }
 

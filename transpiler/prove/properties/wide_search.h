@@ -20,7 +20,8 @@
 #include <utility>
 #include <vector>
 
-#include "transpiler/prove/properties/check.h"
+#include "transpiler/prove/invariants/invariants.h"
+#include "transpiler/prove/properties/result.h"
 #include "transpiler/prove/wide/history.h"
 #include "transpiler/prove/wide/inputs.h"
 #include "transpiler/prove/wide/machine.h"
