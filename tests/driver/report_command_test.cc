@@ -114,6 +114,36 @@ TEST(Report, AddressTableOfHost50) {
   EXPECT_THAT(result.out, HasSubstr("W5  parts\n  written: lathe.il:20\n  read:    lathe.il:20\n"));
 }
 
+/// A statement that works on a timer or counter writes it; what is latched for the slow part is still read there; a
+/// choice of words is one write.
+// covers: NC110-227 HOST50-237
+TEST(Report, UsesOfInstancesCopiesAndChoices) {
+  const Workplace work;
+  work.Write("n.sym", "*\nRST=C5Z\nDOOR=I0A5\nOUT=W4A1\n");
+  work.Write("n.plc",
+             "$\n!RST=I0A1\nC5I(5)=I0A0\nU4A0=C5R*!DOOR\n!OUT=MUX(W0A1,W0A2,W0A3),(I0A0,I0A1,I0A2)\nC6I(3)=I0A0\n");
+  const std::string latched = " --set slices=2 --set latch-slow-inputs=on";
+  const Ran uses = work.Run("report n.sym n.plc --cross-reference" + latched);
+  EXPECT_EQ(uses.code, 0) << uses;
+  EXPECT_THAT(uses.out, HasSubstr("C5Z  RST\n  written: n.plc:2\n  read:    -\n"));
+  EXPECT_THAT(uses.out, HasSubstr("C6I\n  written: n.plc:6\n  read:    -\n"));
+  EXPECT_THAT(uses.out, HasSubstr("I0A5  DOOR\n  written: -\n  read:    n.plc:4\n"));
+  const Ran symbols = work.Run("report n.sym n.plc --print-symbols" + latched);
+  EXPECT_THAT(symbols.out, HasSubstr("DOOR              I0A5      1      0\n"));
+  EXPECT_THAT(symbols.out, HasSubstr("OUT               W4A1      0      1\n"));
+  EXPECT_THAT(symbols.out, HasSubstr("RST               C5Z       0      1\n"));
+
+  work.Write("t.plc", ":MOD PM 9\n:A I 0.0\n:SE T 1\n: K 20D\n:A I 0.1\n:R T 1\n:L T 1\n:T OB 4\n:END PM 9\n");
+  const Ran timers = work.Run("report --dialect prostep --cross-reference t.plc");
+  EXPECT_EQ(timers.code, 0) << timers;
+  EXPECT_THAT(timers.out, HasSubstr("T 1\n  written: t.plc:3 t.plc:6\n  read:    t.plc:7\n"));
+
+  work.Write("t.il", "FAST\nNETWORK\nLD %I0\nTONS %TM1, 5\nOUT %Q0\nEND_FAST\n");
+  const Ran elements = work.Run("report t.il --cross-reference");
+  EXPECT_EQ(elements.code, 0) << elements;
+  EXPECT_THAT(elements.out, HasSubstr("TM1\n  written: t.il:4\n"));
+}
+
 TEST(Report, APageWithoutATable) {
   const Table table;
   const auto result = table.work.Run("report names.sym main.plc -o out");

@@ -34,7 +34,12 @@ bool Drives(ir::OpKind op) {
 struct Walk {
   const ir::Program& program;
   PartAccesses& out;
+  ir::StatementId statement = {};
 
+  void Add(Access access) {
+    access.statement = statement;
+    out.accesses.push_back(access);
+  }
   void Region(ir::RegionId region, uint32_t arm) {
     for (const ir::InstId id : program.regions[region].insts) {
       const ir::Inst& inst = program[id];
@@ -43,19 +48,19 @@ struct Walk {
         case ir::Shape::kStore: {
           const ir::PlaceId place(inst.payload);
           const bool load = inst.op == ir::OpKind::kLoad;
-          out.accesses.push_back(
-              {load ? AccessKind::kRead : AccessKind::kWrite, place, program.places[place].state, inst.range, arm});
+          Add({load ? AccessKind::kRead : AccessKind::kWrite, place, program.places[place].state, inst.range, arm});
           break;
         }
         case ir::Shape::kStep:
-          out.accesses.push_back({Drives(inst.op) ? AccessKind::kDrive : AccessKind::kTouch,
-                                  {},
-                                  ir::StateId(inst.payload),
-                                  inst.range,
-                                  arm});
+          Add({Drives(inst.op) ? AccessKind::kDrive : AccessKind::kTouch,
+               {},
+               ir::StateId(inst.payload),
+               inst.range,
+               arm,
+               inst.op});
           break;
         case ir::Shape::kText:
-          out.accesses.push_back({AccessKind::kDrive, {}, ir::StateId(inst.payload), inst.range, arm});
+          Add({AccessKind::kDrive, {}, ir::StateId(inst.payload), inst.range, arm, inst.op});
           break;
         case ir::Shape::kIf:
         case ir::Shape::kSwitch:
@@ -65,7 +70,7 @@ struct Walk {
             out.arms.push_back({arm, id, number++});
             Region(owned, static_cast<uint32_t>(out.arms.size() - 1));
           }
-          if (inst.op == ir::OpKind::kLoop) out.accesses.push_back({AccessKind::kLoopEnd, {}, {}, inst.range, arm});
+          if (inst.op == ir::OpKind::kLoop) Add({AccessKind::kLoopEnd, {}, {}, inst.range, arm});
           break;
         }
         case ir::Shape::kBlock:
@@ -78,12 +83,14 @@ struct Walk {
         }
         case ir::Shape::kPure:
         case ir::Shape::kConst:
-        case ir::Shape::kStatement:
         case ir::Shape::kExit:
         case ir::Shape::kCall:
         case ir::Shape::kHostCall:
         case ir::Shape::kJump:
         case ir::Shape::kLabel:
+          break;
+        case ir::Shape::kStatement:
+          statement = ir::StatementId(inst.payload);
           break;
       }
     }

@@ -32,7 +32,9 @@ struct Access {
   ir::PlaceId place;  // of kRead and kWrite
   ir::StateId state;  // of kDrive and kTouch; of a read or write of a field
   source::Range range;
-  uint32_t arm = 0;  // 0: executed in every run of the routine
+  uint32_t arm = 0;   // 0: executed in every run of the routine
+  ir::OpKind step{};  // of kDrive and kTouch
+  ir::StatementId statement;
 };
 
 struct PartAccesses {

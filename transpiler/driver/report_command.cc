@@ -46,20 +46,36 @@ Exit codes: 0 done, 1 the program has errors, 2 wrong use, 3 a fault of plcxx.)"
 
 struct Uses {
   std::vector<source::Range> reads, writes;
+  ir::StatementId last_writer;
 };
 
 /// By the bits that a place covers.
 using UsesByBits = std::map<std::pair<uint32_t, uint32_t>, Uses>;
 
-/// The field that the instance's own statement sets: its input, or of a one-shot the pulse.
-uint8_t DrivenField(ir::StateKind kind) {
+/// The fields that a statement sets by an operation on the instance: the input that it names, where the language has
+/// names for inputs, else all that can be looked at.
+std::vector<uint8_t> SetFields(ir::StateKind kind, ir::OpKind step) {
+  const std::string_view input = step == ir::OpKind::kResetCounter ? "reset" : "input";
   const auto fields = ir::Info(kind).fields;
-  uint8_t first_open = 0;
-  for (uint8_t f = static_cast<uint8_t>(fields.size()); f-- > 0;) {
-    if (fields[f].name == "input") return f;
-    if (!fields[f].hidden) first_open = f;
+  std::vector<uint8_t> open;
+  for (uint8_t f = 0, count = static_cast<uint8_t>(fields.size()); f < count; ++f) {
+    if (fields[f].name == input) return {f};
+    if (!fields[f].hidden) open.push_back(f);
   }
-  return first_open;
+  return open;
+}
+
+/// A mention counts once, however many instructions it became; the program's own schedule mentions nothing.
+void AddMention(const source::Range& range, std::vector<source::Range>& uses) {
+  if (range.end > range.begin && (uses.empty() || uses.back() != range)) uses.push_back(range);
+}
+
+void AddUse(bool is_read, const source::Range& range, ir::StatementId statement, Uses& uses) {
+  if (is_read) return AddMention(range, uses.reads);
+  // A statement writes a target once, be it in several branches of a choice.
+  if (statement.valid() && uses.last_writer == statement) return;
+  uses.last_writer = statement;
+  AddMention(range, uses.writes);
 }
 
 UsesByBits CollectUses(const ir::Program& program) {
@@ -67,16 +83,20 @@ UsesByBits CollectUses(const ir::Program& program) {
   UsesByBits uses;
   for (const checks::PartAccesses& part : checks::CollectAccesses(program)) {
     for (const checks::Access& access : part.accesses) {
-      if (access.kind == checks::AccessKind::kDrive) {
-        ir::Place place;
-        place.state = access.state;
-        place.field = DrivenField(program.states[access.state].kind);
-        const checks::BitSpan span = numbering.Of(place);
-        uses[{span.first, span.last}].writes.push_back(access.range);
+      if (access.kind == checks::AccessKind::kDrive || access.kind == checks::AccessKind::kTouch) {
+        const bool reads = access.step == ir::OpKind::kTimeLeft || access.step == ir::OpKind::kTimeLeftCoded;
+        for (const uint8_t field : SetFields(program.states[access.state].kind, access.step)) {
+          ir::Place place;
+          place.state = access.state;
+          place.field = field;
+          const checks::BitSpan span = numbering.Of(place);
+          Uses& both = uses[{span.first, span.last}];
+          AddUse(reads, access.range, access.statement, both);
+        }
       } else if (access.place.valid()) {
         const checks::BitSpan span = numbering.Of(program.places[access.place]);
         Uses& both = uses[{span.first, span.last}];
-        (access.kind == checks::AccessKind::kRead ? both.reads : both.writes).push_back(access.range);
+        AddUse(access.kind == checks::AccessKind::kRead, access.range, access.statement, both);
       }
     }
   }
@@ -89,7 +109,7 @@ UsesByBits CollectUses(const ir::Program& program) {
       if (inst.op != ir::OpKind::kLoad && inst.op != ir::OpKind::kStore) return;
       const checks::BitSpan span = numbering.Of(program.places[ir::PlaceId(inst.payload)]);
       Uses& both = uses[{span.first, span.last}];
-      (inst.op == ir::OpKind::kLoad ? both.reads : both.writes).push_back(inst.range);
+      AddUse(inst.op == ir::OpKind::kLoad, inst.range, {}, both);
     });
   }
   return uses;
@@ -102,26 +122,72 @@ class UsesByAddress {
       : locate_(compilation.dialect->locate),
         names_(compilation.program),
         numbering_(compilation.program),
-        uses_(CollectUses(compilation.program)) {}
+        uses_(CollectUses(compilation.program)) {
+    for (const ir::Place& place : compilation.program.places) {
+      if (!place.address.empty()) copies_[place.address].push_back(numbering_.Of(place));
+    }
+    const ir::Program& program = compilation.program;
+    for (uint32_t i = 0; i < program.states.size(); ++i)
+      instances_[program.states[ir::StateId(i)].name] = ir::StateId(i);
+  }
 
-  const Uses* Of(const std::string& address) const {
+  /// What reads a copy of the address (an input that is latched for the slow part) reads it.
+  Uses Of(const std::string& address) const {
+    const std::optional<checks::BitSpan> own = SpanOf(address);
+    Uses uses = own ? At(*own) : OfInstance(address);
+    const auto copies = copies_.find(address);
+    if (copies == copies_.end()) return uses;
+    for (const checks::BitSpan& copy : copies->second) {
+      if (own && own->first == copy.first && own->last == copy.last) continue;
+      const std::vector<source::Range> reads = At(copy).reads;
+      uses.reads.insert(uses.reads.end(), reads.begin(), reads.end());
+    }
+    return uses;
+  }
+
+ private:
+  std::optional<checks::BitSpan> SpanOf(const std::string& address) const {
     const std::optional<dialects::Location> location = locate_(names_, address);
-    if (!location || location->absent || location->text_input) return nullptr;
+    if (!location || location->absent || location->text_input) return std::nullopt;
     // What the control holds beside memory (an output of the machine) has no place of its own: it is the one of the
     // program with this address, if there is one.
     const bool has_own = location->place.is_field() || location->place.space.valid();
     const ir::Place* const place = has_own ? &location->place : names_.PlaceAt(address);
-    if (place == nullptr) return nullptr;
-    const checks::BitSpan span = numbering_.Of(*place);
+    if (place == nullptr) return std::nullopt;
+    return numbering_.Of(*place);
+  }
+  /// Of a timer or counter that is named as a whole: of all its fields, each mention once.
+  Uses OfInstance(const std::string& name) const {
+    Uses uses;
+    const auto instance = instances_.find(name);
+    if (instance == instances_.end()) return uses;
+    ir::Place place;
+    place.state = instance->second;
+    const auto fields = static_cast<uint8_t>(ir::Info(names_.program().states[place.state].kind).fields.size());
+    for (place.field = 0; place.field < fields; ++place.field) {
+      const Uses of_field = At(numbering_.Of(place));
+      for (const auto& [from, to] :
+           {std::pair(&of_field.reads, &uses.reads), std::pair(&of_field.writes, &uses.writes)}) {
+        for (const source::Range& range : *from) {
+          if (std::ranges::find(*to, range) == to->end()) to->push_back(range);
+        }
+      }
+    }
+    for (std::vector<source::Range>* const side : {&uses.reads, &uses.writes})
+      std::ranges::stable_sort(*side, {}, &source::Range::begin);
+    return uses;
+  }
+  Uses At(const checks::BitSpan& span) const {
     const auto found = uses_.find({span.first, span.last});
-    return found == uses_.end() ? nullptr : &found->second;
+    return found == uses_.end() ? Uses() : found->second;
   }
 
- private:
   decltype(dialects::Dialect::locate) locate_;
   ir::NameIndex names_;
   checks::BitNumbering numbering_;
   UsesByBits uses_;
+  std::map<std::string, std::vector<checks::BitSpan>> copies_;  // by address
+  std::map<std::string, ir::StateId> instances_;                // by name
 };
 
 std::string RangesText(const compilation::Compilation& compilation, const std::vector<source::Range>& ranges) {
@@ -139,18 +205,19 @@ void PrintSymbols(const compilation::Compilation& compilation) {
   const UsesByAddress uses(compilation);
   struct Row {
     std::string address;
-    const Uses* uses;
+    size_t reads = 0, writes = 0;
   };
   std::map<std::string, Row> rows;  // sorted by name, as the control itself keeps its table
   for (const ir::Documentation& known : compilation.program.documentation) {
-    const Uses* used = uses.Of(known.address);
-    ir::ForEachSymbolName(known, [&](std::string_view name) { rows[std::string(name)] = {known.address, used}; });
+    const Uses used = uses.Of(known.address);
+    ir::ForEachSymbolName(known, [&](std::string_view name) {
+      rows[std::string(name)] = {known.address, used.reads.size(), used.writes.size()};
+    });
   }
   std::cout << "symbol            operand   reads  writes\n";
   for (const auto& [name, row] : rows) {
     std::cout << source::LeftAligned(diag::Escaped(name), 17) << ' ' << source::LeftAligned(row.address, 9) << ' '
-              << source::LeftAligned(std::to_string(row.uses == nullptr ? 0 : row.uses->reads.size()), 6) << ' '
-              << (row.uses == nullptr ? 0 : row.uses->writes.size()) << '\n';
+              << source::LeftAligned(std::to_string(row.reads), 6) << ' ' << row.writes << '\n';
   }
 }
 
@@ -162,9 +229,9 @@ void PrintCrossReference(const compilation::Compilation& compilation) {
     if (!known.predefined.empty()) std::cout << "  (" << diag::Escaped(known.predefined) << ')';
     const std::string& text = known.help.empty() ? known.meaning : known.help;
     if (!text.empty()) std::cout << "  " << diag::Escaped(text);
-    const Uses* used = uses.Of(known.address);
-    std::cout << "\n  written: " << (used == nullptr ? "-" : RangesText(compilation, used->writes))
-              << "\n  read:    " << (used == nullptr ? "-" : RangesText(compilation, used->reads)) << '\n';
+    const Uses used = uses.Of(known.address);
+    std::cout << "\n  written: " << RangesText(compilation, used.writes)
+              << "\n  read:    " << RangesText(compilation, used.reads) << '\n';
   }
 }
 

@@ -174,8 +174,9 @@ void OperandReader::DefineSymbol(Symbol symbol) {
         .notes.push_back({program_.symbols[known->second].range, "the first definition"});
     return;
   }
+  // It is no consequence of what is wrong with the line itself.
   if (symbols_.size() >= options_.max_symbols && !std::exchange(table_full_reported_, true)) {
-    Fault(symbol.range, diag::Nc110SymbolTable, options_.max_symbols);
+    Report(symbol.range, diag::Nc110SymbolTable, options_.max_symbols);
   }
   symbols_.emplace(key, program_.symbols.Add(std::move(symbol)));
 }
