@@ -48,7 +48,7 @@ constexpr const char* kProveFooter =
 
 What is looked at is the state after each period, for all inputs, from power-on with all memory 0. Times are counted in
 slow passes, fast passes or ms, which are rounded up to periods. The slow part is taken as one piece, also where it
-is cut into slices.
+is cut into slices: inputs change before a pass and not within it.
 
 What a verdict claims:
   proved         it holds in every run from there, whatever inputs and the control do (--any-retentive: with any memory kept)
@@ -197,9 +197,10 @@ class Prove {
     // A claim is made of what was looked at only.
     if (machine_.slices > 1 && proved.result.verdict == prove::properties::PropertyVerdict::kProved) {
       std::string& remark = proved.result.remark;
-      remark += (remark.empty() ? "" : "; ") +
-                std::string("the slow part is taken as one piece: of what is there between its ") +
-                std::to_string(machine_.slices) + " slices, where inputs change, nothing is proved";
+      remark +=
+          (remark.empty() ? "" : "; ") +
+          std::string("the slow part is taken as one piece: of what it makes of inputs that change between its ") +
+          std::to_string(machine_.slices) + " slices, and of what is there between them, nothing is proved";
     }
     if (plant_ && proved.result.verdict == prove::properties::PropertyVerdict::kProved) RemarkOnPlant(proved.result);
     if (proved.result.run) proved.scenario = std::move(replayed_.at(proved.result.replay));

@@ -26,10 +26,13 @@ std::string InDoubleQuotes(std::string_view text) {
   return quoted + "\"";
 }
 
+/// Without quotes they are no text: a key or a value that is missing.
+bool ReadsAsNothing(std::string_view text) { return text == "null" || text == "Null" || text == "NULL" || text == "~"; }
+
 }  // namespace
 
 std::string YamlWord(const std::string& text, std::string_view plain) {
-  const bool is_plain = !text.empty() && std::ranges::all_of(text, [plain](char c) {
+  const bool is_plain = !text.empty() && !ReadsAsNothing(text) && std::ranges::all_of(text, [plain](char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
            plain.find(c) != std::string_view::npos;
   });

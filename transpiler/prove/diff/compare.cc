@@ -38,7 +38,7 @@ void AddMatched(Comparison& comparison) {
   comparison.result_of_old.assign(comparison.old_version.cells.count, Comparison::kNoResult);
   const OneSidedMemory one_sided(comparison.old_version, comparison.new_version, comparison.old_uses,
                                  comparison.new_uses, comparison.match);
-  comparison.one_sided = one_sided.Written();
+  comparison.one_sided = one_sided.Find();
   for (uint32_t i = 0; i < comparison.old_version.cells.count; ++i) {
     const execute::CellId old_cell(i), new_cell = comparison.match.new_of_old[i];
     if (!new_cell.valid() || !machine::IsState(comparison.old_version, old_cell)) continue;

@@ -11,9 +11,11 @@ namespace plcxx::prove::diff {
 /// Internal memory that power-off clears: nobody but the version itself knows of it.
 bool IsPrivate(const machine::Version& version, execute::CellId cell);
 
-/// What is left out of a comparison: cells that their version writes.
+/// What is left out of a comparison: cells that their version writes, and those that the other version does not have
+/// and that nobody writes, but that begin as something else than 0.
 struct OneSided {
   std::vector<execute::CellId> old_only, new_only;
+  std::vector<execute::CellId> old_values, new_values;
 };
 
 class OneSidedMemory {
@@ -25,7 +27,7 @@ class OneSidedMemory {
 
   /// Of a matched cell of the old version.
   bool Has(execute::CellId old_cell) const;
-  OneSided Written() const;
+  OneSided Find() const;
 
  private:
   const machine::Version& old_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "transpiler/dialects/statement_text.h"
@@ -11,6 +12,7 @@
 #include "transpiler/review/diff/declared.h"
 #include "transpiler/review/diff/diff.h"
 #include "transpiler/review/diff/examples.h"
+#include "transpiler/review/diff/groups.h"
 #include "transpiler/review/diff/left_out.h"
 #include "transpiler/review/diff/named_items.h"
 #include "transpiler/review/diff/run_searches.h"
@@ -20,7 +22,8 @@ namespace plcxx::review::diff {
 namespace {
 
 constexpr size_t kMostChangesShown = 50;  // statements of which the line is sought that was changed
-constexpr uint64_t kLastShare = 6;        // of the time: left for shorter runs, and for showing them
+constexpr size_t kMostRangesOfReason = 6;
+constexpr uint64_t kLastShare = 6;    // of the time: left for shorter runs, and for showing them
 constexpr uint64_t kSlicesShare = 6;  // of the time, where the slow part is in slices: for what is seen between them
 
 bool IsSliced(const ir::Program& program) {
@@ -29,8 +32,10 @@ bool IsSliced(const ir::Program& program) {
 
 /// The comparison takes the slow part in one piece, so that moved cuts are no news. Here the programs are executed as
 /// they run, slice by slice: an item for all that is not proved equal then, where it is so for whole passes.
+/// `equal`: the names of what counts as equal so far.
 void CompareBetweenSlices(const DiffSide& old_side, const DiffSide& new_side,
-                          const std::vector<std::pair<ir::Place, ir::Place>>& same, uint64_t time_ms, Diff& diff) {
+                          const std::vector<std::pair<ir::Place, ir::Place>>& same, uint64_t time_ms,
+                          const std::set<std::string>& equal, Diff& diff) {
   const prove::machine::Version old_version = prove::machine::MakeVersion(old_side.compilation.program),
                                 new_version = prove::machine::MakeVersion(new_side.compilation.program);
   const Named old_named(old_side, old_version), new_named(new_side, new_version);
@@ -49,13 +54,15 @@ void CompareBetweenSlices(const DiffSide& old_side, const DiffSide& new_side,
     if (item.verdict != ItemVerdict::kEqual && !is_known && is_seen) names.push_back(item.name);
   }
   if (names.empty()) return;
+  for (const std::string& name : names) diff.equal -= equal.contains(name) ? 1 : 0;
+  const std::string named = NamesAsRanges(names, kMostRangesOfReason) + (names.size() == 1 ? " is" : " are");
   diff.items.push_back({.name = "between slices",
                         .kind = ItemKind::kSchedule,
                         .verdict = ItemVerdict::kUndecided,
                         .through = names,
-                        .reason =
-                            "a statement stands in another slice: until its pass ends, a location may be ahead of "
-                            "the old version or behind it"});
+                        .reason = "executed slice by slice " + named +
+                                  " not proved equal: ahead of the old version or behind it until a pass ends, or "
+                                  "another one for good by what inputs and the fast part change between two slices"});
 }
 
 /// The places of --map; the first word that is no place of its program, otherwise.
@@ -81,12 +88,14 @@ std::optional<std::string> PlacesOf(const DiffSide& old_side, const DiffSide& ne
 
 /// What no claim is made of, and what is news whatever the program does.
 void NameLeftOut(const Named& old_named, const Named& new_named, const prove::diff::Match& match,
-                 const prove::diff::CompareResult& result, Diff& diff) {
+                 const prove::diff::CompareResult& result, const std::vector<std::pair<ir::Place, ir::Place>>& same,
+                 Diff& diff) {
   for (const std::string& routine : result.changed_for_host)
     diff.not_looked_at.push_back("what " + routine + " does, which the host alone calls and which is another one");
   NameWhatOneVersionHas(result.one_sided, old_named.words, new_named.words, diff);
   NameOptionsOfSimulation(old_named.side, new_named.side, diff);
   NameMovedRetentive(old_named.version, new_named.version, match, old_named.words, diff);
+  NameRenamedInstances(old_named.version, new_named.version, match, same, diff);
 }
 
 void NameChangedStatements(const DiffSide& old_side, const DiffSide& new_side, Diff& diff) {
@@ -109,14 +118,18 @@ std::vector<NamedItem> ItemsByWeight(const prove::diff::CompareResult& result, c
   return items;
 }
 
-void MoveInto(std::vector<NamedItem> items, Diff& diff) {
+/// Gives the names of those that are equal.
+std::set<std::string> MoveInto(std::vector<NamedItem> items, Diff& diff) {
+  std::set<std::string> equal;
   for (NamedItem& named : items) {
     if (named.item.verdict == ItemVerdict::kEqual) {
       ++diff.equal;
+      equal.insert(std::move(named.item.name));
     } else {
       diff.items.push_back(std::move(named.item));
     }
   }
+  return equal;
 }
 
 }  // namespace
@@ -164,12 +177,12 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
       {.total_ms = static_cast<uint64_t>(compare_time.count()), .progress = options.progress});
   Diff diff{.invariants = result.invariants, .changes_are_found = result.changes_are_found, .refusal = result.refusal};
   if (!diff.refusal.empty()) return diff;
-  NameLeftOut(old_named, new_named, match, result, diff);
+  NameLeftOut(old_named, new_named, match, result, same, diff);
   if (sliced) NameBookkeepingOfSlices(old_side, new_side, same, diff);
   NameChangedStatements(old_side, new_side, diff);
   std::vector<NamedItem> items = ItemsByWeight(result, old_named, new_named);
   AddExamples(old_side, new_side, old_named, new_named, match, searches.runs(), options, last_end, items);
-  MoveInto(std::move(items), diff);
+  const std::set<std::string> equal = MoveInto(std::move(items), diff);
   if (!options.compiler.empty()) ConfirmCompiled(old_side, new_side, options, last_end, diff);
   if (!diff.not_compiled.empty())
     diff.not_looked_at.push_back("the runs were not repeated as generated code: " + diff.not_compiled);
@@ -177,7 +190,7 @@ Diff CompareSides(DiffSide& old_side, DiffSide& new_side, const DiffOptions& opt
     // Too late, too: then it says that it is not decided.
     const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(whole_end - Clock::now());
     const auto rest_ms = static_cast<uint64_t>(std::max<int64_t>(1, rest.count()));
-    CompareBetweenSlices(old_side, new_side, same, std::min(slices_ms, rest_ms), diff);
+    CompareBetweenSlices(old_side, new_side, same, std::min(slices_ms, rest_ms), equal, diff);
   }
   std::vector<DiffItem> declared = CompareDeclarations(old_side.compilation.program, new_side.compilation.program);
   std::ranges::move(declared, std::back_inserter(diff.items));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "transpiler/review/diff/groups.h"
+#include "transpiler/support/listed.h"
 
 namespace plcxx::review::diff {
 namespace {
@@ -80,6 +81,13 @@ void NameWhatOneVersionHas(const prove::diff::OneSided& one_sided, const CellWor
   };
   tell(one_sided.old_only, old_words, "old");
   tell(one_sided.new_only, new_words, "new");
+  const auto tell_values = [&](const std::vector<CellId>& cells, const CellWords& words, const std::string& version) {
+    if (cells.empty()) return;
+    diff.not_looked_at.push_back("initial values that only the " + version + " version has (" +
+                                 NamesAsRanges(NamesOf(cells, words), kMostRangesOfVerdict) + ")");
+  };
+  tell_values(one_sided.old_values, old_words, "old");
+  tell_values(one_sided.new_values, new_words, "new");
 }
 
 void NameMovedRetentive(const prove::machine::Version& old_version, const prove::machine::Version& new_version,
@@ -101,6 +109,42 @@ void NameMovedRetentive(const prove::machine::Version& old_version, const prove:
   diff.not_looked_at.push_back("what the new version finds in memory that the old one kept without power, where " +
                                NamesAsRanges(NamesOf(moved, old_words), kMostRangesOfVerdict) +
                                (NamesOf(moved, old_words).size() == 1 ? " has" : " have") + " another address");
+}
+
+void NameRenamedInstances(const prove::machine::Version& old_version, const prove::machine::Version& new_version,
+                          const prove::diff::Match& match, const std::vector<std::pair<ir::Place, ir::Place>>& same,
+                          Diff& diff) {
+  const ir::Program &old_program = *old_version.program, &new_program = *new_version.program;
+  // Instances whose fields have no names in the program are nobody's to look at.
+  std::set<ir::StateId> named;
+  for (const ir::Place& place : old_program.places) {
+    if (place.is_field()) named.insert(place.state);
+  }
+  for (const auto& [one, other] : same) {
+    if (one.is_field()) named.erase(one.state);
+  }
+  constexpr size_t kMostNamed = 6;
+  std::vector<std::string> pairs;
+  for (const ir::StateId state : named) {
+    const CellId found = match.new_of_old[old_version.cells.states[state.index]];
+    if (!found.valid()) continue;
+    const execute::Cell what = execute::CellAt(new_program, new_version.cells, found);
+    const std::string &before = old_program.states[state].name, &after = new_program.states[what.state].name;
+    if (before != after) pairs.push_back(before + " as " + after);
+  }
+  // A symbol says what is one variable; somebody may still go by the address.
+  std::map<std::string, std::string> addresses;
+  for (const ir::Place& place : new_program.places) {
+    if (!place.address.empty()) addresses.emplace(place.name, place.address);
+  }
+  for (const ir::Place& place : old_program.places) {
+    const auto found = place.address.empty() ? addresses.end() : addresses.find(place.name);
+    if (found != addresses.end() && found->second != place.address)
+      pairs.push_back(place.name + " at " + place.address + " as at " + found->second);
+  }
+  if (pairs.empty()) return;
+  diff.not_looked_at.push_back("what somebody finds who goes by numbers and addresses, where they are others now (" +
+                               support::Listed(pairs, kMostNamed) + ")");
 }
 
 void NameOptionsOfSimulation(const DiffSide& old_side, const DiffSide& new_side, Diff& diff) {
@@ -128,7 +172,7 @@ void NameBookkeepingOfSlices(const DiffSide& old_side, const DiffSide& new_side,
                              new_uses = prove::machine::UsesOf(new_version);
   const prove::diff::Match match = prove::diff::MatchCells(old_version, new_version, same);
   const prove::diff::OneSided found =
-      prove::diff::OneSidedMemory(old_version, new_version, old_uses, new_uses, match).Written();
+      prove::diff::OneSidedMemory(old_version, new_version, old_uses, new_uses, match).Find();
   const auto add = [&diff](const DiffSide& side, const prove::machine::Version& version,
                            const std::vector<CellId>& cells, const std::vector<std::string>& known) {
     for (std::string& name : NamesOf(cells, CellWords(version, side.compilation))) {
