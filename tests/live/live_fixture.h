@@ -8,6 +8,7 @@
 
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/live/session.h"
+#include "transpiler/live/wishes.h"
 
 namespace plcxx::live {
 

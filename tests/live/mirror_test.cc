@@ -87,8 +87,8 @@ TEST(Mirror, ShowsWhatTheMachineHas) {
   MirrorBench bench(kTimed);
   std::mt19937 random(7);
   for (uint64_t period = 0; period < 200; ++period) {
-    if (random() % 20 == 0) bench.runs.session->Toggle("I0A3");
-    if (random() % 50 == 0) bench.runs.session->Toggle("I0A4");
+    if (random() % 20 == 0) Toggle(*bench.runs.session, "I0A3");
+    if (random() % 50 == 0) Toggle(*bench.runs.session, "I0A4");
     bench.runs.Periods(1);
     bench.Take();
     bench.mirror->Show();
@@ -101,7 +101,7 @@ TEST(Mirror, ComputesThePowerFlowOfTheScanAndKeepsTheValues) {
   std::mt19937 random(8);
   const ir::Program& program = bench.runs.compilation.program;
   for (uint64_t period = 0; period < 200; ++period) {
-    if (random() % 30 == 0) bench.runs.session->Toggle("I0A3");
+    if (random() % 30 == 0) Toggle(*bench.runs.session, "I0A3");
     bench.runs.Periods(2);  // what was set has arrived, and nothing is on its way
     bench.Take();
     EXPECT_TRUE(bench.mirror->ComputeAgain().empty());

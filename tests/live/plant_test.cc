@@ -38,7 +38,7 @@ TEST(LivePlant, MovesAndGoesBackTheSameWay) {
   PlantBench bench;
   EXPECT_EQ(bench.Value("I0A7"), 1u);
   EXPECT_EQ(bench.Value("I0A4"), 1u);  // nobody presses the emergency stop
-  EXPECT_EQ(bench.session->Set("I0A3", "1"), "");
+  EXPECT_EQ(Set(*bench.session, "I0A3", "1"), "");
   bench.Periods(20);  // the first one switches on at 0 ms; the one at 190 ms is before the end
   EXPECT_EQ(bench.Value("I0A6"), 0u);
   bench.Periods(1);
@@ -56,61 +56,61 @@ TEST(LivePlant, MovesAndGoesBackTheSameWay) {
 
 TEST(LivePlant, WhatItDrivesIsNotTheOperators) {
   PlantBench bench;
-  EXPECT_THAT(bench.session->Set("I0A6", "1"),
+  EXPECT_THAT(Set(*bench.session, "I0A6", "1"),
               HasSubstr("driven by the plant, cylinder 'door' (plant.yaml:2): force it"));
-  EXPECT_THAT(bench.session->Toggle("I0A7"), HasSubstr("driven by the plant"));
-  EXPECT_THAT(bench.session->Set("W0A0", "1"), HasSubstr("driven by the plant"));  // the byte that I0A6 is in
-  EXPECT_EQ(bench.session->Force("I0A6", "1"), "");
+  EXPECT_THAT(Toggle(*bench.session, "I0A7"), HasSubstr("driven by the plant"));
+  EXPECT_THAT(Set(*bench.session, "W0A0", "1"), HasSubstr("driven by the plant"));  // the byte that I0A6 is in
+  EXPECT_EQ(Force(*bench.session, "I0A6", "1"), "");
   bench.Periods(3);
   EXPECT_EQ(bench.Value("I0A6"), 1u);
-  EXPECT_EQ(bench.session->Release("I0A6"), "");
+  EXPECT_EQ(Release(*bench.session, "I0A6"), "");
   bench.Periods(2);
   EXPECT_EQ(bench.Value("I0A6"), 0u);
 }
 
 TEST(LivePanel, AButtonIsHeldForATenthOfASecond) {
   PlantBench bench;
-  EXPECT_EQ(bench.session->PressPanel(kGo), "");
-  EXPECT_EQ(bench.session->ReleasePanel(kGo), "");
+  EXPECT_EQ(bench.session->hands().Press(kGo), "");
+  EXPECT_EQ(bench.session->hands().Release(kGo), "");
   bench.Periods(9);
   EXPECT_EQ(bench.Value("I0A3"), 1u);
-  EXPECT_EQ(bench.session->PanelStates()[kGo].position, 1);
+  EXPECT_EQ(bench.session->hands().States()[kGo].position, 1);
   bench.Periods(1);
   EXPECT_EQ(bench.Value("I0A3"), 0u);
-  EXPECT_EQ(bench.session->PanelStates()[kGo].position, 0);
+  EXPECT_EQ(bench.session->hands().States()[kGo].position, 0);
 }
 
 TEST(LivePanel, SwitchesStayAlsoThroughAPowerCycle) {
   PlantBench bench;
-  EXPECT_EQ(bench.session->TurnPanel(kKnob, 2), "");
-  EXPECT_EQ(bench.session->TurnPanel(kStop, 1), "");
+  EXPECT_EQ(bench.session->hands().Turn(kKnob, 2), "");
+  EXPECT_EQ(bench.session->hands().Turn(kStop, 1), "");
   bench.Periods(5);
   EXPECT_EQ(bench.Value("I0A4"), 0u);
-  std::vector<ControlState> states = bench.session->PanelStates();
+  std::vector<ControlState> states = bench.session->hands().States();
   EXPECT_EQ(states[kKnob].position, 2);
   EXPECT_EQ(states[kShown].value, 7u);
   EXPECT_EQ(states[kStop].position, 1);
-  bench.session->TurnPanel(kStop, 0);
+  bench.session->hands().Turn(kStop, 0);
   bench.Periods(5);
   bench.session->PowerOff();
   bench.session->PowerOn();
   bench.Periods(5);
   EXPECT_EQ(bench.Value("I0A4"), 1u);
   EXPECT_EQ(bench.Value("W2K0"), 7u);
-  EXPECT_NE(bench.session->TurnPanel(kKnob, 3), "");
-  EXPECT_NE(bench.session->TurnPanel(kGo, 1), "");
-  EXPECT_NE(bench.session->PressPanel(kKnob), "");
-  EXPECT_NE(bench.session->PressPanel(99), "");
+  EXPECT_NE(bench.session->hands().Turn(kKnob, 3), "");
+  EXPECT_NE(bench.session->hands().Turn(kGo, 1), "");
+  EXPECT_NE(bench.session->hands().Press(kKnob), "");
+  EXPECT_NE(bench.session->hands().Press(99), "");
 }
 
 TEST(LivePanel, WhatWasOperatedIsAScenario) {
   PlantBench bench;
   bench.Periods(1);
-  bench.session->PressPanel(kGo);
+  bench.session->hands().Press(kGo);
   bench.Periods(25);
-  bench.session->ReleasePanel(kGo);
+  bench.session->hands().Release(kGo);
   bench.Periods(5);
-  bench.session->Expect({"I0A6"});
+  Expect(*bench.session, {"I0A6"});
   const Recording recording = WriteRecording(bench.compilation, bench.request, bench.session->timeline(), "");
   EXPECT_EQ(recording.refusal, "");
   EXPECT_THAT(recording.yaml, HasSubstr("plant: plant.yaml\nsteps:\n"

@@ -24,17 +24,17 @@ using testing::StartsWith;
 TEST(Recording, WhatWasDoneIsAScenarioThatPasses) {
   LiveBench bench;
   bench.Periods(2);
-  bench.session->Set("I0A3", "1");
-  bench.session->Set("I0A5", "1");
+  Set(*bench.session, "I0A3", "1");
+  Set(*bench.session, "I0A5", "1");
   bench.Periods(3);
-  bench.session->Force("U4A8", "1");
+  Force(*bench.session, "U4A8", "1");
   bench.Periods(1);
-  bench.session->Release("U4A8");
-  EXPECT_EQ(bench.session->Expect({"U4A8", "U4A9", "W3K0"}), "");
+  Release(*bench.session, "U4A8");
+  EXPECT_EQ(Expect(*bench.session, {"U4A8", "U4A9", "W3K0"}), "");
   bench.session->PowerOff();
   bench.session->PowerOn();  // what was set is forgotten, as in any scenario
   bench.Periods(1);
-  EXPECT_EQ(bench.session->Expect({"U4A8"}), "");
+  EXPECT_EQ(Expect(*bench.session, {"U4A8"}), "");
   const Recording recording =
       CheckedRecording(bench.compilation, bench.request, bench.session->timeline(), "", "recorded.yaml");
   EXPECT_EQ(recording.refusal, "");
@@ -55,9 +55,9 @@ TEST(Recording, EndsAtThePresentAndSaysWhatItCannot) {
   LiveBench bench;
   EXPECT_THAT(WriteRecording(bench.compilation, bench.request, bench.session->timeline(), "").refusal,
               HasSubstr("nothing has been done"));
-  bench.session->Set("I0A3", "1");
+  Set(*bench.session, "I0A3", "1");
   bench.Periods(5);
-  bench.session->Set("I0A3", "0");
+  Set(*bench.session, "I0A3", "0");
   bench.Periods(5);
   bench.session->Back(7);
   const Recording early = WriteRecording(bench.compilation, bench.request, bench.session->timeline(), "");
@@ -66,7 +66,7 @@ TEST(Recording, EndsAtThePresentAndSaysWhatItCannot) {
   bench.session->Step(StepKind::kStatement);
   EXPECT_THAT(WriteRecording(bench.compilation, bench.request, bench.session->timeline(), "").refusal,
               HasSubstr("half done"));
-  bench.session->SwitchStatement(bench.Statement("U4A8"), false);
+  SwitchStatement(*bench.session, bench.Statement("U4A8"), false);
   EXPECT_THAT(WriteRecording(bench.compilation, bench.request, bench.session->timeline(), "").refusal,
               HasSubstr("switched off"));
 }
@@ -201,14 +201,14 @@ TEST_F(CommandsTest, SixteenAreWatched) {
 TEST(Chart, ATriggerKeepsWhatLiesAroundIt) {
   LiveBench bench;
   Session& session = *bench.session;
-  session.Watch("I0A3");
-  session.Watch("W3K0");
-  EXPECT_EQ(session.Arm(
+  Watch(session, "I0A3");
+  Watch(session, "W3K0");
+  EXPECT_EQ(Arm(session,
                 {.edge = "rising", .text = "I0A3", .base_ms = 20, .delay_ms = 0, .samples = 10, .before_percent = 30}),
             "");
   bench.Periods(50);
   EXPECT_EQ(session.chart().trigger()->state, TriggerState::kArmed);
-  session.Set("I0A3", "1");
+  Set(session, "I0A3", "1");
   bench.Periods(30);
   const Chart::Trigger& trigger = *session.chart().trigger();
   EXPECT_EQ(trigger.state, TriggerState::kComplete);
@@ -218,7 +218,7 @@ TEST(Chart, ATriggerKeepsWhatLiesAroundIt) {
   EXPECT_EQ(trigger.kept[3].time_ms, trigger.at_ms);
   EXPECT_EQ(trigger.kept[4].time_ms - trigger.kept[3].time_ms, 20u);
   EXPECT_EQ(
-      session.Arm(
+      Arm(session,
           {.edge = "condition", .text = "W3K0 = 90", .base_ms = 10, .delay_ms = 50, .samples = 5, .before_percent = 0}),
       "");
   bench.Periods(30);
@@ -233,7 +233,7 @@ TEST(StateView, TellsWhatIsDifferentOnly) {
   const auto first = view.Changes();
   EXPECT_TRUE(first.contains("values") && first.contains("at") && first.contains("mode"));
   EXPECT_EQ(view.Changes().dump(), "{}");
-  bench.session->Set("I0A3", "1");
+  Set(*bench.session, "I0A3", "1");
   const auto second = view.Changes();
   EXPECT_EQ(second["values"].size(), 1u) << second.dump();
   EXPECT_FALSE(second.contains("mode"));
@@ -266,7 +266,7 @@ TEST(ProgramView, PowerReachesACoilExactlyWhereItIsOn) {
   const size_t coil = (*ladder)["symbols"].back()["net"];
   for (int inputs = 0; inputs < 32; ++inputs) {
     for (int bit = 0; bit < 5; ++bit) {
-      bench.session->Set("I0A" + std::to_string(bit + 3), std::to_string(inputs >> bit & 1));
+      Set(*bench.session, "I0A" + std::to_string(bit + 3), std::to_string(inputs >> bit & 1));
     }
     bench.Periods(4);
     std::vector<bool> power;

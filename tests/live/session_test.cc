@@ -16,10 +16,10 @@ TEST(Timeline, BackInTimeIsTheSameMachineAgain) {
   sim::Engine* engine = &bench.session->timeline().machine().simulator();
   // Inputs change now and then, also at the border of a checkpoint.
   for (int period = 0; period < 700; ++period) {
-    if (period % 83 == 0 || period == 250 || period == 499) bench.session->Toggle("I0A3");
-    if (period % 101 == 7) bench.session->Toggle("I0A4");
-    if (period == 300) bench.session->Force("U4A9", "1");
-    if (period == 420) bench.session->Release("U4A9");
+    if (period % 83 == 0 || period == 250 || period == 499) Toggle(*bench.session, "I0A3");
+    if (period % 101 == 7) Toggle(*bench.session, "I0A4");
+    if (period == 300) Force(*bench.session, "U4A9", "1");
+    if (period == 420) Release(*bench.session, "U4A9");
     states.push_back(engine->Snapshot());
     bench.Periods(1);
   }
@@ -37,12 +37,12 @@ TEST(Timeline, BackInTimeIsTheSameMachineAgain) {
 TEST(Timeline, SomethingElseForgetsWhatWasAhead) {
   LiveBench bench;
   bench.Periods(5);
-  bench.session->Set("I0A3", "1");
+  Set(*bench.session, "I0A3", "1");
   bench.Periods(5);
   EXPECT_EQ(bench.Value("U4A8"), 1u);
   EXPECT_EQ(bench.session->Back(7), "");
   EXPECT_EQ(bench.session->timeline().end(), 10u);
-  bench.session->Set("I0A5", "1");
+  Set(*bench.session, "I0A5", "1");
   EXPECT_EQ(bench.session->timeline().end(), 3u);
   bench.Periods(10);
   EXPECT_EQ(bench.Value("U4A8"), 0u);
@@ -61,7 +61,7 @@ TEST(Timeline, TenThousandPeriodsAreKeptAndNoMore) {
 
 TEST(Timeline, StatementsOneByOneAndBack) {
   LiveBench bench;
-  bench.session->Set("I0A3", "1");
+  Set(*bench.session, "I0A3", "1");
   Timeline& timeline = bench.session->timeline();
   EXPECT_EQ(bench.session->Step(StepKind::kStatement), "");
   EXPECT_EQ(timeline.at(), bench.Statement("W3K0"));
@@ -90,7 +90,7 @@ TEST(Timeline, StatementsOneByOneAndBack) {
 TEST(Timeline, AnInputWithinAPeriodCountsForTheNextOne) {
   LiveBench bench;
   bench.session->Step(StepKind::kStatement);
-  bench.session->Set("I0A3", "1");
+  Set(*bench.session, "I0A3", "1");
   EXPECT_TRUE(bench.session->timeline().is_between());
   EXPECT_EQ(bench.session->timeline().period(), 1u);
   EXPECT_EQ(bench.Value("U4A8"), 0u);
@@ -100,8 +100,8 @@ TEST(Timeline, AnInputWithinAPeriodCountsForTheNextOne) {
 
 TEST(Session, StopsAtAStatementBeforeItIsExecuted) {
   LiveBench bench;
-  EXPECT_EQ(bench.session->BreakAtStatement(bench.Statement("U4A9"), true), "");
-  bench.session->Set("I0A3", "1");
+  EXPECT_EQ(bench.session->breakpoints().AtStatement(bench.Statement("U4A9"), true), "");
+  Set(*bench.session, "I0A3", "1");
   EXPECT_EQ(bench.session->Run(), "");
   bench.session->RunPeriods(100);
   EXPECT_FALSE(bench.session->is_running());
@@ -114,18 +114,18 @@ TEST(Session, StopsAtAStatementBeforeItIsExecuted) {
   EXPECT_EQ(bench.session->timeline().period(), 1u);
   EXPECT_EQ(bench.session->timeline().at(), bench.Statement("U4A9"));
   EXPECT_EQ(bench.Value("W3K0"), 2u);
-  EXPECT_EQ(bench.session->BreakAtStatement(bench.Statement("U4A9"), false), "");
+  EXPECT_EQ(bench.session->breakpoints().AtStatement(bench.Statement("U4A9"), false), "");
   bench.session->Run();
   EXPECT_EQ(bench.session->RunPeriods(100), 100u);
 }
 
 TEST(Session, StopsAtAChangeAndAtACondition) {
   LiveBench bench;
-  EXPECT_EQ(bench.session->BreakAtChange("U4A8"), "");
-  EXPECT_EQ(bench.session->BreakAtCondition("U4A8 for 50 ms"), "");
+  EXPECT_EQ(BreakAtChange(*bench.session, "U4A8"), "");
+  EXPECT_EQ(BreakAtCondition(*bench.session, "U4A8 for 50 ms"), "");
   bench.session->Run();
   EXPECT_EQ(bench.session->RunPeriods(20), 20u);
-  bench.session->Set("I0A3", "1");
+  Set(*bench.session, "I0A3", "1");
   EXPECT_EQ(bench.session->RunPeriods(20), 1u);
   EXPECT_EQ(bench.session->why_stopped(), "U4A8 has changed");
   bench.session->Run();
@@ -133,42 +133,42 @@ TEST(Session, StopsAtAChangeAndAtACondition) {
   EXPECT_THAT(bench.session->why_stopped(), HasSubstr("U4A8 for 50 ms"));
   bench.session->Run();
   EXPECT_EQ(bench.session->RunPeriods(20), 20u) << "it holds on, and does not come again";
-  EXPECT_THAT(bench.session->BreakAtCondition("U4A8 and"), HasSubstr("expected"));
-  EXPECT_THAT(bench.session->BreakAtCondition("NOSUCH"), HasSubstr("NOSUCH"));
-  EXPECT_THAT(bench.session->BreakAtCondition("U4A8\nnever U4A9"), HasSubstr("one line"));
-  EXPECT_EQ(bench.session->BreakAtCondition("never U4A9 and I0A5"), "");
-  EXPECT_EQ(bench.session->RemoveBreakpoint(2), "");
-  EXPECT_EQ(bench.session->breakpoints().size(), 2u);
+  EXPECT_THAT(BreakAtCondition(*bench.session, "U4A8 and"), HasSubstr("expected"));
+  EXPECT_THAT(BreakAtCondition(*bench.session, "NOSUCH"), HasSubstr("NOSUCH"));
+  EXPECT_THAT(BreakAtCondition(*bench.session, "U4A8\nnever U4A9"), HasSubstr("one line"));
+  EXPECT_EQ(BreakAtCondition(*bench.session, "never U4A9 and I0A5"), "");
+  EXPECT_EQ(bench.session->breakpoints().Remove(2), "");
+  EXPECT_EQ(bench.session->breakpoints().all().size(), 2u);
 }
 
 TEST(Session, ForcedAgainstEveryWriterUntilReleased) {
   LiveBench bench;
-  EXPECT_EQ(bench.session->Force("U4A8", "1"), "");
-  bench.session->Set("I0A4", "1");
+  EXPECT_EQ(Force(*bench.session, "U4A8", "1"), "");
+  Set(*bench.session, "I0A4", "1");
   bench.Periods(3);
   EXPECT_EQ(bench.Value("U4A8"), 1u);
   ASSERT_EQ(bench.session->forced().size(), 1u);
-  EXPECT_EQ(bench.session->Toggle("U4A8"), "");
+  EXPECT_EQ(Toggle(*bench.session, "U4A8"), "");
   bench.Periods(1);
   EXPECT_EQ(bench.Value("U4A8"), 0u);
-  EXPECT_EQ(bench.session->Force("W2K2", "12H"), "");
+  EXPECT_EQ(Force(*bench.session, "W2K2", "12H"), "");
   EXPECT_EQ(bench.session->forced().size(), 2u);
-  EXPECT_EQ(bench.session->ReleaseAll(), "");
+  EXPECT_EQ(ReleaseAll(*bench.session), "");
   EXPECT_TRUE(bench.session->forced().empty());
   bench.Periods(1);
   EXPECT_EQ(bench.Value("W2K2"), bench.Value("W3K0"));
-  EXPECT_THAT(bench.session->Release("U4A8"), HasSubstr("not forced"));
+  EXPECT_THAT(Release(*bench.session, "U4A8"), HasSubstr("not forced"));
   EXPECT_EQ(bench.session->Back(2), "");
   EXPECT_EQ(bench.session->forced().size(), 1u) << "forced in the past";
 }
 
 TEST(Session, StatementsOffAndOn) {
   LiveBench bench;
-  EXPECT_EQ(bench.session->SwitchStatement(bench.Statement("U4A8"), false), "");
-  bench.session->Set("I0A3", "1");
+  EXPECT_EQ(SwitchStatement(*bench.session, bench.Statement("U4A8"), false), "");
+  Set(*bench.session, "I0A3", "1");
   bench.Periods(3);
   EXPECT_EQ(bench.Value("U4A8"), 0u);
-  EXPECT_EQ(bench.session->SwitchAllOn(), "");
+  EXPECT_EQ(SwitchAllOn(*bench.session), "");
   bench.Periods(1);
   EXPECT_EQ(bench.Value("U4A8"), 1u);
   EXPECT_EQ(bench.session->Back(2), "");
@@ -177,10 +177,10 @@ TEST(Session, StatementsOffAndOn) {
 
 TEST(Session, WhatIsWrongIsSaid) {
   LiveBench bench;
-  EXPECT_THAT(bench.session->Set("U4A", "1"), HasSubstr("no location of nc110"));
-  EXPECT_THAT(bench.session->Set("I0A3", "2"), HasSubstr("value 2 does not fit: 'I0A3' takes 0 to 1"));
-  EXPECT_THAT(bench.session->Toggle("W2K2"), HasSubstr("only a bit"));
-  EXPECT_THAT(bench.session->SwitchStatement(ir::StatementId(999), false), HasSubstr("no such statement"));
+  EXPECT_THAT(Set(*bench.session, "U4A", "1"), HasSubstr("no location of nc110"));
+  EXPECT_THAT(Set(*bench.session, "I0A3", "2"), HasSubstr("value 2 does not fit: 'I0A3' takes 0 to 1"));
+  EXPECT_THAT(Toggle(*bench.session, "W2K2"), HasSubstr("only a bit"));
+  EXPECT_THAT(SwitchStatement(*bench.session, ir::StatementId(999), false), HasSubstr("no such statement"));
   EXPECT_THAT(bench.session->Step(StepKind::kFast), HasSubstr("no such part"));
   EXPECT_THAT(bench.session->Back(1), HasSubstr("nothing is known"));
   EXPECT_THAT(bench.session->SetSpeed(-1), HasSubstr("a speed is"));
@@ -194,9 +194,9 @@ TEST(Session, WhatIsWrongIsSaid) {
 TEST(Session, WhyFollowsBackToTheInputThatWasSet) {
   LiveBench bench;
   bench.Periods(300);
-  bench.session->Set("I0A3", "1");
+  Set(*bench.session, "I0A3", "1");
   bench.Periods(2);
-  bench.session->Set("I0A3", "0");
+  Set(*bench.session, "I0A3", "0");
   bench.Periods(3);
   const Reasons reasons = WhyNow(*bench.session, "U4A9");
   ASSERT_EQ(reasons.refusal, "");

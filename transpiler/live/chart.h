@@ -38,6 +38,13 @@ struct TriggerRequest {
   uint32_t before_percent = 20;
 };
 
+/// What an operator asks for, unchecked.
+struct TriggerWish {
+  std::string edge;  // "rising", "falling", "condition"
+  std::string text;  // the bit, or the condition
+  uint32_t base_ms = 0, delay_ms = 0, samples = 0, before_percent = 0;
+};
+
 class Chart {
  public:
   /// False: there are kMostWatched already.

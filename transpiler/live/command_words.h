@@ -75,7 +75,7 @@ class Words {
 };
 
 /// What the page asks of the trigger.
-inline Session::TriggerWish TriggerWishOf(Words& words) {
+inline TriggerWish TriggerWishOf(Words& words) {
   constexpr uint64_t kMost = 3'600'000;
   return {.edge = words.Text("edge"),
           .text = words.Text("text"),

@@ -8,6 +8,7 @@
 #include "transpiler/live/command_words.h"
 #include "transpiler/live/recording.h"
 #include "transpiler/live/why.h"
+#include "transpiler/live/wishes.h"
 #include "transpiler/support/system_words.h"
 
 namespace plcxx::live {
@@ -88,8 +89,8 @@ Refusal SaveCommand(Context& context) {
 }
 
 Refusal TriggerCommand(Context& context) {
-  const Session::TriggerWish wish = TriggerWishOf(context.words);
-  return context.words.IfRight([&] { return context.session.Arm(wish); });
+  const TriggerWish wish = TriggerWishOf(context.words);
+  return context.words.IfRight([&] { return Arm(context.session, wish); });
 }
 
 struct CommandRow {
@@ -131,93 +132,94 @@ constexpr CommandRow kCommands[] = {
     {"set",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name"), value = context.words.Text("value");
-       return context.words.IfRight([&] { return context.session.Set(name, value); });
+       return context.words.IfRight([&] { return Set(context.session, name, value); });
      }},
     {"toggle",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name");
-       return context.words.IfRight([&] { return context.session.Toggle(name); });
+       return context.words.IfRight([&] { return Toggle(context.session, name); });
      }},
     {"panelPress",
      [](Context& context) -> Refusal {
        const uint64_t control = context.words.Number("control", kMostNumber);
-       return context.words.IfRight([&] { return context.session.PressPanel(control); });
+       return context.words.IfRight([&] { return context.session.hands().Press(control); });
      }},
     {"panelRelease",
      [](Context& context) -> Refusal {
        const uint64_t control = context.words.Number("control", kMostNumber);
-       return context.words.IfRight([&] { return context.session.ReleasePanel(control); });
+       return context.words.IfRight([&] { return context.session.hands().Release(control); });
      }},
     {"panelTurn",
      [](Context& context) -> Refusal {
        const uint64_t control = context.words.Number("control", kMostNumber);
        const uint64_t position = context.words.Number("position", kMostNumber);
-       return context.words.IfRight([&] { return context.session.TurnPanel(control, position); });
+       return context.words.IfRight([&] { return context.session.hands().Turn(control, position); });
      }},
     {"force",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name"), value = context.words.Text("value");
-       return context.words.IfRight([&] { return context.session.Force(name, value); });
+       return context.words.IfRight([&] { return Force(context.session, name, value); });
      }},
     {"release",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name");
-       return context.words.IfRight([&] { return context.session.Release(name); });
+       return context.words.IfRight([&] { return Release(context.session, name); });
      }},
-    {"releaseAll", [](Context& context) { return context.session.ReleaseAll(); }},
+    {"releaseAll", [](Context& context) { return ReleaseAll(context.session); }},
     {"switch",
      [](Context& context) -> Refusal {
        const ir::StatementId statement = StatementIn(context);
        const bool on = context.words.Truth("on");
-       return context.words.IfRight([&] { return context.session.SwitchStatement(statement, on); });
+       return context.words.IfRight([&] { return SwitchStatement(context.session, statement, on); });
      }},
-    {"switchAllOn", [](Context& context) { return context.session.SwitchAllOn(); }},
+    {"switchAllOn", [](Context& context) { return SwitchAllOn(context.session); }},
     {"powerOff", [](Context& context) { return context.session.PowerOff(); }},
     {"powerOn", [](Context& context) { return context.session.PowerOn(); }},
     {"breakStatement",
      [](Context& context) -> Refusal {
        const ir::StatementId statement = StatementIn(context);
        const bool on = context.words.Truth("on");
-       return context.words.IfRight([&] { return context.session.BreakAtStatement(statement, on); });
+       return context.words.IfRight([&] { return context.session.breakpoints().AtStatement(statement, on); });
      }},
     {"breakChange",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name");
-       return context.words.IfRight([&] { return context.session.BreakAtChange(name); });
+       return context.words.IfRight([&] { return BreakAtChange(context.session, name); });
      }},
     {"breakCondition",
      [](Context& context) -> Refusal {
        const std::string text = context.words.Text("text");
-       return context.words.IfRight([&] { return context.session.BreakAtCondition(text); });
+       return context.words.IfRight([&] { return BreakAtCondition(context.session, text); });
      }},
     {"breakRemove",
      [](Context& context) -> Refusal {
        const uint64_t number = context.words.Number("number", kMostNumber);
-       return context.words.IfRight([&] { return context.session.RemoveBreakpoint(static_cast<uint32_t>(number)); });
+       return context.words.IfRight(
+           [&] { return context.session.breakpoints().Remove(static_cast<uint32_t>(number)); });
      }},
     {"watch",
      [](Context& context) -> Refusal {
        const std::string name = context.words.Text("name");
-       return context.words.IfRight([&] { return context.session.Watch(name); });
+       return context.words.IfRight([&] { return Watch(context.session, name); });
      }},
     {"unwatch",
      [](Context& context) -> Refusal {
        const uint64_t number = context.words.Number("number", kMostWatched);
-       return context.words.IfRight([&] { return context.session.Unwatch(number); });
+       return context.words.IfRight([&] { return Unwatch(context.session, number); });
      }},
     {"trigger", TriggerCommand},
     {"triggerOff",
      [](Context& context) {
-       context.session.Disarm();
+       context.session.chart().Disarm();
        return Refusal();
      }},
     {"why", WhyCommand},
     {"expect",
      [](Context& context) -> Refusal {
        const std::vector<std::string> names = context.words.Texts("names", kMostNotes);
-       return context.words.IfRight([&] { return context.session.Expect(names); });
+       return context.words.IfRight([&] { return Expect(context.session, names); });
      }},
-    {"expectMessages", [](Context& context) { return context.session.ExpectMessages(); }},
+    {"expectMessages", [](Context& context) { return ExpectMessages(context.session); }},
     {"scenario", ScenarioCommand},
     {"save", SaveCommand},
 };

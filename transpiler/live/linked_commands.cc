@@ -48,7 +48,7 @@ constexpr LinkedRow kDone[] = {
      }},
     {"trigger",
      [](LinkedMachine& machine, Words& words) -> Refusal {
-       const Session::TriggerWish wish = TriggerWishOf(words);
+       const TriggerWish wish = TriggerWishOf(words);
        return words.IfRight([&] { return machine.Arm(wish); });
      }},
     {"triggerOff", [](LinkedMachine& machine, Words&) { return machine.Disarm(); }},

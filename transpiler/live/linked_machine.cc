@@ -6,6 +6,7 @@
 
 #include "transpiler/live/linked_cells.h"
 #include "transpiler/live/locations.h"
+#include "transpiler/live/wishes.h"
 
 namespace plcxx::live {
 namespace {
@@ -29,7 +30,7 @@ std::string NamesOf(const std::vector<Forced>& forced) {
 LinkedMachine::LinkedMachine(Session& session, std::string address, Open open, debug_link::MatchIdentity match)
     : session_(session), names_(session.program()), open_(std::move(open)), match_(std::move(match)) {
   status_.address = std::move(address);
-  session_.ShowLink(status_);
+  session_.link().Show(status_);
 }
 
 LinkedMachine::~LinkedMachine() { End(); }
@@ -64,7 +65,7 @@ std::string LinkedMachine::Connect() {
   if (std::string reason = OpenConnection(*made); !reason.empty()) {
     status_.is_connected = false;
     status_.reason = reason;
-    ApplyNow([&] { session_.ShowLink(status_); });
+    ApplyNow([&] { session_.link().Show(status_); });
     return reason;
   }
   ApplyNow([&] {
@@ -112,7 +113,7 @@ void LinkedMachine::Follow() {
 
 /// The connection is there again, with a machine that may have been started anew meanwhile.
 void LinkedMachine::TakeBack() {
-  ApplyNow([&] { session_.NoteOfLink("connected again"); });
+  ApplyNow([&] { session_.link().AddNote("connected again"); });
   ReleaseForced("released after the connection was lost: ");
 }
 
@@ -126,7 +127,7 @@ void LinkedMachine::ReleaseForced(const std::string& note) {
   }
   ApplyNow([&] {
     session_.SetForced({});
-    if (!note.empty()) session_.NoteOfLink(note + NamesOf(forced));
+    if (!note.empty()) session_.link().AddNote(note + NamesOf(forced));
   });
 }
 
@@ -142,8 +143,8 @@ void LinkedMachine::Lose(const std::string& reason) {
   const bool was_connected = std::exchange(status_.is_connected, false);
   status_.reason = reason;
   ApplyNow([&] {
-    session_.ShowLink(status_);
-    if (was_connected) session_.NoteOfLink("the connection was lost: " + reason);
+    session_.link().Show(status_);
+    if (was_connected) session_.link().AddNote("the connection was lost: " + reason);
   });
 }
 
@@ -201,11 +202,11 @@ std::string LinkedMachine::ReadCounts() {
   status_.forced_bytes = counts.forced;
   status_.scans = counts.scans;
   ApplyNow([&] {
-    session_.ShowLink(status_);
+    session_.link().Show(status_);
     if (counts.forced != 0 || session_.forced().empty()) return;
     const std::string names = NamesOf(session_.forced());
     session_.SetForced({});
-    session_.NoteOfLink("the machine has let go what was forced: " + names);
+    session_.link().AddNote("the machine has let go what was forced: " + names);
   });
   return {};
 }
@@ -227,7 +228,7 @@ std::string LinkedMachine::TakeSamples(bool& is_news) {
       for (const WatchedCells& one : connection.watched) {
         values.push_back(scenarios::FittingField(one.location, debug_link::ValueOf(one.cells, sample.bytes)));
       }
-      session_.TakeSample(sample.scan, values);
+      session_.link().TakeSample(sample.scan, values);
     }
     connection.mirror->Show();
   });
@@ -256,8 +257,8 @@ std::string LinkedMachine::ReadBlock() {
   status_.round_ms =
       static_cast<uint64_t>(std::chrono::duration_cast<milliseconds>(now - connection.round_began).count());
   ApplyNow([&] {
-    session_.TakeFaults(connection.mirror->ComputeAgain());
-    session_.ShowLink(status_);
+    session_.link().TakeFaults(connection.mirror->ComputeAgain());
+    session_.link().Show(status_);
   });
   return {};
 }
@@ -380,11 +381,11 @@ Refusal LinkedMachine::Watch(const std::string& name) {
     const Found found = Find(connection, name);
     if (const auto* refusal = std::get_if<Refusal>(&found)) return *refusal;
     Refusal refusal;
-    ApplyNow([&] { refusal = session_.Watch(name); });
+    ApplyNow([&] { refusal = live::Watch(session_, name); });
     if (!refusal.empty()) return refusal;
     refusal = WatchAll(connection);
     if (refusal.empty()) return refusal;
-    ApplyNow([&] { session_.Unwatch(session_.chart().watched().size() - 1); });
+    ApplyNow([&] { live::Unwatch(session_, session_.chart().watched().size() - 1); });
     WatchAll(connection);
     return refusal;
   });
@@ -393,12 +394,12 @@ Refusal LinkedMachine::Watch(const std::string& name) {
 Refusal LinkedMachine::Unwatch(size_t number) {
   return Do([&](Connection& connection) {
     Refusal refusal;
-    ApplyNow([&] { refusal = session_.Unwatch(number); });
+    ApplyNow([&] { refusal = live::Unwatch(session_, number); });
     return refusal.empty() ? WatchAll(connection) : refusal;
   });
 }
 
-Refusal LinkedMachine::Arm(const Session::TriggerWish& wish) {
+Refusal LinkedMachine::Arm(const TriggerWish& wish) {
   if (wish.edge == "condition") {
     return "conditions are looked at in the simulation: over a link the trigger is an edge of what is watched";
   }
@@ -406,14 +407,14 @@ Refusal LinkedMachine::Arm(const Session::TriggerWish& wish) {
   ApplyNow([&] {
     const bool is_watched = std::ranges::any_of(session_.chart().watched(),
                                                 [&](const sim::Watched& watched) { return watched.name == wish.text; });
-    refusal = is_watched ? session_.Arm(wish)
+    refusal = is_watched ? live::Arm(session_, wish)
                          : "over a link the trigger is an edge of what is watched: watch '" + wish.text + "' first";
   });
   return refusal;
 }
 
 Refusal LinkedMachine::Disarm() {
-  ApplyNow([&] { session_.Disarm(); });
+  ApplyNow([&] { session_.chart().Disarm(); });
   return {};
 }
 

@@ -51,7 +51,7 @@ class LinkedMachine {
   Refusal ReleaseAll();
   Refusal Watch(const std::string& name);
   Refusal Unwatch(size_t number);
-  Refusal Arm(const Session::TriggerWish& wish);
+  Refusal Arm(const TriggerWish& wish);
   Refusal Disarm();
 
  private:

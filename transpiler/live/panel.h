@@ -1,7 +1,7 @@
 // The operator's panel joined to one program, and what it shows at a moment.
 //
 // In: a panel as panel.yaml lays it out. Out: its names as locations, or all that are none; the state of each control.
-// Not its job: what operating it does to the machine (session_panel.cc).
+// Not its job: what operating it does to the machine (panel_hands.h).
 #pragma once
 
 #include <cstdint>

@@ -168,7 +168,7 @@ Json ProgramView::Outline() const {
     if (session_.CanStep(kind)) steps.push_back(NameOf(kind));
   }
   outline["steps"] = steps;
-  if (const std::optional<LinkStatus>& link = session_.link()) {
+  if (const std::optional<LinkStatus>& link = session_.link().status()) {
     Json refused = Json::object();
     for (const std::string& command : CommandNames()) {
       if (const std::string_view reason = RefusedOverLink(command); !reason.empty()) refused[command] = reason;
@@ -187,7 +187,7 @@ Json ProgramView::Outline() const {
   Json heights = Json::array();
   for (const report::Row& row : rows_.rows) heights.push_back(HeightOf(row));
   outline["rows"] = heights;
-  if (session_.panel() != nullptr) outline["panel"] = PanelJson(*session_.panel());
+  if (session_.hands().panel() != nullptr) outline["panel"] = PanelJson(*session_.hands().panel());
   return outline;
 }
 

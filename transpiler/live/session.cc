@@ -7,6 +7,7 @@
 
 #include "transpiler/engines/lockstep.h"
 #include "transpiler/live/fault_statement.h"
+#include "transpiler/live/locations.h"
 
 namespace plcxx::live {
 namespace {
@@ -23,7 +24,20 @@ Session::Session(const compilation::Compilation& compilation, const report::Prog
       signals_(MakeSignals(compilation, uses_)),
       conditions_(compilation),
       timeline_(compilation),
-      stops_at_(compilation.program.statements.size()) {}
+      breakpoints_(compilation.program),
+      hands_(timeline_, [this](Action action) { Do(std::move(action)); }) {}
+
+void Session::Equip(std::shared_ptr<const scenarios::BoundPlant> plant, std::shared_ptr<const BoundPanel> panel) {
+  plant_ = std::move(plant);
+  hands_.Equip(std::move(panel));
+  timeline_.Attach(plant_);
+  Restart();
+}
+
+void Session::BeginAnew() {
+  Restart();
+  hands_.PutAsDelivered();
+}
 
 void Session::Restart() {
   timeline_.Restart();
@@ -38,15 +52,10 @@ void Session::Restart() {
 void Session::WentElsewhere() {
   timeline_.machine().simulator().TakeEvents();
   timeline_.machine().control().TakeMessages();
-  const uint64_t period = timeline_.period();
-  std::ranges::fill(held_, Held());
-  while (!notes_.empty() && notes_.back().period >= period) notes_.pop_back();
-  ++notes_version_;
-  chart_.GoBack(period);
-  for (Breakpoint& breakpoint : breakpoints_) {
-    breakpoint.last.reset();
-    if (breakpoint.condition) breakpoint.condition->Forget();
-  }
+  hands_.TakeOff();
+  notes_.GoBack(timeline_.period());
+  chart_.GoBack(timeline_.period());
+  breakpoints_.Forget();
   FindForced();
 }
 
@@ -60,6 +69,44 @@ void Session::FindForced() {
     }
     if (action.kind == ActionKind::kForce) forced_.push_back({action.name, action.location, action.value});
   }
+}
+
+std::variant<dialects::Location, std::string> Session::Find(const std::string& name) const {
+  return FindLocation(*compilation_.dialect, names_, name);
+}
+
+Refusal Session::Do(Action action) {
+  if (!timeline_.is_between()) {
+    const uint64_t period = timeline_.period();
+    timeline_.Forward({}, nullptr);
+    Observe(period);
+  }
+  timeline_.Do(std::move(action));
+  FindForced();
+  return {};
+}
+
+std::string Session::DriverOf(const dialects::Location& location) const {
+  const plant::Driven* const driver = plant_ ? plant_->DriverOf(location) : nullptr;
+  return driver == nullptr ? std::string() : scenarios::DriverText(*driver, plant_->model().path());
+}
+
+Refusal Session::PowerOff() {
+  if (!is_on_) return "the machine is off already";
+  Pause("switched off");
+  is_on_ = false;
+  return {};
+}
+
+Refusal Session::PowerOn() {
+  if (is_on_) return "the machine is on already";
+  is_on_ = true;
+  why_stopped_.clear();
+  const std::vector<ControlState> panel = hands_.States();
+  hands_.TakeOff();
+  Do({.kind = ActionKind::kPowerCycle, .name = {}, .location = {}, .text = {}, .statement = {}});
+  hands_.PutBack(panel);
+  return {};
 }
 
 Refusal Session::Run() {
@@ -81,11 +128,6 @@ Refusal Session::SetSpeed(double times) {
   return {};
 }
 
-Machine::StopAt Session::StatementStops() {
-  if (std::ranges::none_of(stops_at_, [](bool stops) { return stops; })) return nullptr;
-  return [this](ir::StatementId statement) { return stops_at_[statement.index]; };
-}
-
 uint64_t Session::RunPeriods(uint64_t most) {
   for (uint64_t done = 0; done < most; ++done) {
     if (!is_running_) return done;
@@ -96,23 +138,17 @@ uint64_t Session::RunPeriods(uint64_t most) {
 
 bool Session::Period(const Advance& advance) {
   const uint64_t period = timeline_.period();
-  if (!timeline_.Forward(advance, StatementStops())) {
+  if (!timeline_.Forward(advance, breakpoints_.StatementStops())) {
     Pause(timeline_.is_between() ? "the program does not come to the end of this period"
                                  : "at a statement with a breakpoint");
     return false;
   }
   Observe(period);
-  LetButtonsGo();
-  std::string why = BreaksAfterPeriod();
+  hands_.LetButtonsGo();
+  std::string why = breakpoints_.AfterPeriod(timeline_.machine());
   if (why.empty()) return true;
   Pause(std::move(why));
   return false;
-}
-
-void Session::AddNote(Note note) {
-  notes_.push_back(std::move(note));
-  if (notes_.size() > kMostNotes) notes_.pop_front();
-  ++notes_version_;
 }
 
 void Session::Observe(uint64_t period) {
@@ -120,31 +156,15 @@ void Session::Observe(uint64_t period) {
   const uint64_t time_ms = machine.time_ms();
   for (const scenarios::ShownMessage& message : machine.control().TakeMessages()) {
     const std::string& shown = message.shown.empty() ? scenarios::TextOf(message) : message.shown;
-    AddNote({period, time_ms, NoteKind::kMessage, std::to_string(message.number) + "  " + shown, {}});
+    notes_.Add({period, time_ms, NoteKind::kMessage, std::to_string(message.number) + "  " + shown, {}});
   }
   for (const sim::HostEvent& event : machine.simulator().TakeEvents()) {
     if (event.exchange || program().host_functions[event.function].polled) continue;
     const std::optional<ir::StatementId> statement = FaultStatement(program(), event);
-    AddNote({period, time_ms, statement ? NoteKind::kFault : NoteKind::kCall, engines::ToText(program(), event),
-             statement.value_or(ir::StatementId())});
+    notes_.Add({period, time_ms, statement ? NoteKind::kFault : NoteKind::kCall, engines::ToText(program(), event),
+                statement.value_or(ir::StatementId())});
   }
   chart_.Record(period, time_ms, machine.control().Reader(), machine.simulator(), machine.last_part());
-}
-
-std::string Session::BreaksAfterPeriod() {
-  Machine& machine = timeline_.machine();
-  std::string why;
-  for (Breakpoint& breakpoint : breakpoints_) {
-    if (breakpoint.location) {
-      const uint64_t now = machine.control().Reader()(*breakpoint.location);
-      const std::optional<uint64_t> before = std::exchange(breakpoint.last, now);
-      if (before && *before != now && why.empty()) why = breakpoint.text + " has changed";
-    }
-    if (breakpoint.condition && breakpoint.condition->Comes(machine.simulator(), machine.last_part()) && why.empty()) {
-      why = "the condition has come: " + breakpoint.text;
-    }
-  }
-  return why;
 }
 
 uint64_t Session::Count(ir::PlaceId counter) { return timeline_.machine().simulator().Read(program().places[counter]); }
@@ -204,7 +224,7 @@ Refusal Session::Step(StepKind kind) {
         const uint64_t period = timeline_.period();
         if (!timeline_.Forward(unit, always)) return {};
         Observe(period);
-        LetButtonsGo();
+        hands_.LetButtonsGo();
       }
       return "no statement was executed in " + std::to_string(schedule.most_periods) + " periods";
     }

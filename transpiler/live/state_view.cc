@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "transpiler/explanation/instance_text.h"
+#include "transpiler/live/wishes.h"
 
 namespace plcxx::live {
 namespace {
@@ -163,9 +164,9 @@ void StateView::AddChart(Json& state) {
 }
 
 void StateView::AddNotes(Json& state) {
-  if (has_notes_ && notes_version_ == session_.notes_version()) return;
+  if (has_notes_ && notes_version_ == session_.notes().version()) return;
   Json notes = Json::array();
-  for (const Note& note : session_.notes()) {
+  for (const Note& note : session_.notes().all()) {
     notes.push_back({{"kind", KindName(note.kind)},
                      {"period", note.period},
                      {"ms", note.time_ms},
@@ -173,12 +174,12 @@ void StateView::AddNotes(Json& state) {
                      {"statement", note.statement.valid() ? int64_t{note.statement.index} : -1}});
   }
   state["notes"] = std::move(notes);
-  notes_version_ = session_.notes_version();
+  notes_version_ = session_.notes().version();
   has_notes_ = true;
 }
 
 void StateView::AddWhereItIs(Json& state) {
-  if (const std::optional<LinkStatus>& link = session_.link()) {
+  if (const std::optional<LinkStatus>& link = session_.link().status()) {
     AddPart(state, "at",
             {{"period", link->scans},
              {"first", link->scans},
@@ -232,21 +233,21 @@ Json StateView::Changes() {
   }
   AddPart(state, "off", std::move(off));
   Json breakpoints = Json::array();
-  for (const Breakpoint& one : session_.breakpoints()) {
+  for (const Breakpoint& one : session_.breakpoints().all()) {
     breakpoints.push_back({{"number", one.number},
                            {"kind", KindName(one.kind)},
                            {"text", one.text},
                            {"statement", one.statement.valid() ? int64_t{one.statement.index} : -1}});
   }
   AddPart(state, "breakpoints", std::move(breakpoints));
-  if (session_.panel() != nullptr) {
+  if (session_.hands().panel() != nullptr) {
     Json panel = Json::array();
-    for (const ControlState& control : session_.PanelStates()) {
+    for (const ControlState& control : session_.hands().States()) {
       panel.push_back({control.position, control.is_lit, Exact(control.value)});
     }
     AddPart(state, "panel", std::move(panel));
   }
-  AddPart(state, "messages", session_.ActiveMessages());
+  AddPart(state, "messages", ActiveMessages(session_));
   AddNotes(state);
   AddChart(state);
   return state;

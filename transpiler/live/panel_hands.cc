@@ -1,10 +1,7 @@
-// Operating the panel: each control writes its inputs as a click on them does, so that it becomes part of the
-// recording.
+#include "transpiler/live/panel_hands.h"
 
 #include <algorithm>
 #include <utility>
-
-#include "transpiler/live/session.h"
 
 namespace plcxx::live {
 namespace {
@@ -19,38 +16,35 @@ constexpr const char* kNoControl = "there is no such control on the panel";
 
 }  // namespace
 
-void Session::Equip(std::shared_ptr<const scenarios::BoundPlant> plant, std::shared_ptr<const BoundPanel> panel) {
-  plant_ = std::move(plant);
+void PanelHands::Equip(std::shared_ptr<const BoundPanel> panel) {
   panel_ = std::move(panel);
   held_.assign(panel_ ? panel_->controls.size() : 0, Held());
-  timeline_.Attach(plant_);
-  Restart();
 }
 
-void Session::BeginAnew() {
-  Restart();
+void PanelHands::TakeOff() { std::ranges::fill(held_, Held()); }
+
+void PanelHands::PutAsDelivered() {
   if (!panel_) return;
   for (const plant::PanelControl* control : panel_->controls) {
     if (!control->positions.empty()) Write(*control, control->start, Zeros::kLeftOut);
   }
 }
 
-void Session::Write(const plant::PanelControl& control, size_t position, Zeros zeros) {
+void PanelHands::Write(const plant::PanelControl& control, size_t position, Zeros zeros) {
   for (const plant::Setting& setting : control.positions[position]) {
     const dialects::Location& location = panel_->writes[setting.write];
     const uint64_t value = scenarios::PlantBits(location, setting.value);
     if (zeros == Zeros::kLeftOut && value == 0) continue;
-    Do({.kind = ActionKind::kSet,
-        .name = panel_->panel.writes[setting.write].text,
-        .location = location,
-        .value = value,
-        .text = {},
-        .statement = {}});
+    write_({.kind = ActionKind::kSet,
+            .name = panel_->panel.writes[setting.write].text,
+            .location = location,
+            .value = value,
+            .text = {},
+            .statement = {}});
   }
 }
 
-/// Power has come back: what stays where it is put is still there.
-void Session::PutPanelBack(const std::vector<ControlState>& before) {
+void PanelHands::PutBack(const std::vector<ControlState>& before) {
   for (size_t i = 0; i < before.size(); ++i) {
     const plant::PanelControl& control = *panel_->controls[i];
     if (control.positions.empty() || before[i].position < 0) continue;
@@ -59,7 +53,7 @@ void Session::PutPanelBack(const std::vector<ControlState>& before) {
   }
 }
 
-std::vector<ControlState> Session::PanelStates() {
+std::vector<ControlState> PanelHands::States() const {
   if (!panel_) return {};
   std::vector<ControlState> states = StatesOf(*panel_, timeline_.machine());
   const uint64_t period = timeline_.period();
@@ -74,7 +68,7 @@ std::vector<ControlState> Session::PanelStates() {
   return states;
 }
 
-Refusal Session::PressPanel(size_t control) {
+Refusal PanelHands::Press(size_t control) {
   if (control >= held_.size()) return kNoControl;
   if (panel_->controls[control]->kind != plant::ControlKind::kButton) return "only a button is pressed";
   Held& held = held_[control];
@@ -83,7 +77,7 @@ Refusal Session::PressPanel(size_t control) {
   return {};
 }
 
-Refusal Session::ReleasePanel(size_t control) {
+Refusal PanelHands::Release(size_t control) {
   if (control >= held_.size()) return kNoControl;
   Held& held = held_[control];
   if (!held.is_pressed) return {};
@@ -92,7 +86,7 @@ Refusal Session::ReleasePanel(size_t control) {
   return {};
 }
 
-void Session::LetButtonsGo() {
+void PanelHands::LetButtonsGo() {
   const uint64_t now_ms = timeline_.machine().time_ms();
   for (size_t i = 0; i < held_.size(); ++i) {
     Held& held = held_[i];
@@ -102,7 +96,7 @@ void Session::LetButtonsGo() {
   }
 }
 
-Refusal Session::TurnPanel(size_t control, size_t position) {
+Refusal PanelHands::Turn(size_t control, size_t position) {
   if (control >= held_.size()) return kNoControl;
   const plant::PanelControl& turned = *panel_->controls[control];
   if (turned.kind == plant::ControlKind::kButton || turned.positions.empty()) return "it stays nowhere";

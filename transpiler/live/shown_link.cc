@@ -1,15 +1,14 @@
-// What a running machine says, in the places where a page looks for what a simulated one does.
+#include "transpiler/live/shown_link.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "transpiler/engines/lockstep.h"
 #include "transpiler/live/fault_statement.h"
-#include "transpiler/live/session.h"
 
 namespace plcxx::live {
 
-void Session::TakeSample(uint32_t scan, const std::vector<uint64_t>& values) {
+void ShownLink::TakeSample(uint32_t scan, const std::vector<uint64_t>& values) {
   // A scan of an earlier number is that of a machine which was started anew.
   if (!chart_.samples().empty() && chart_.samples().back().period >= scan) chart_.Clear();
   const sim::ReadWatched read = [&](const sim::Watched& watched) -> uint64_t {
@@ -19,26 +18,27 @@ void Session::TakeSample(uint32_t scan, const std::vector<uint64_t>& values) {
     return 0;
   };
   Machine& machine = timeline_.machine();
-  chart_.Record(scan, uint64_t{scan} * unit_ms(), read, machine.simulator(), machine.last_part());
+  chart_.Record(scan, uint64_t{scan} * sim::UnitMs(program_.schedule), read, machine.simulator(), machine.last_part());
 }
 
-void Session::TakeFaults(const std::vector<sim::HostEvent>& faults) {
+void ShownLink::TakeFaults(const std::vector<sim::HostEvent>& faults) {
   std::vector<std::string> texts;
   for (const sim::HostEvent& fault : faults) {
-    std::string text = engines::ToText(program(), fault);
+    std::string text = engines::ToText(program_, fault);
     if (std::ranges::find(faults_, text) == faults_.end()) {
-      const uint64_t scan = link_ ? link_->scans : 0;
-      AddNote({scan, scan * unit_ms(), NoteKind::kFault, text + " (computed again from what was read)",
-               FaultStatement(program(), fault).value_or(ir::StatementId())});
+      const uint64_t scan = status_ ? status_->scans : 0;
+      notes_.Add({scan, scan * sim::UnitMs(program_.schedule), NoteKind::kFault,
+                  text + " (computed again from what was read)",
+                  FaultStatement(program_, fault).value_or(ir::StatementId())});
     }
     texts.push_back(std::move(text));
   }
   faults_ = std::move(texts);
 }
 
-void Session::NoteOfLink(std::string text) {
-  const uint64_t scan = link_ ? link_->scans : 0;
-  AddNote({scan, scan * unit_ms(), NoteKind::kLink, std::move(text), {}});
+void ShownLink::AddNote(std::string text) {
+  const uint64_t scan = status_ ? status_->scans : 0;
+  notes_.Add({scan, scan * sim::UnitMs(program_.schedule), NoteKind::kLink, std::move(text), {}});
 }
 
 }  // namespace plcxx::live
