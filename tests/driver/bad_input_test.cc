@@ -15,6 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// Emits and expects a refusal in these words, and that nothing was written.
 void ExpectRefused(const Workplace& work, const std::string& arguments, const std::string& words, int code = 1) {
@@ -200,6 +201,27 @@ TEST(BadInput, UndefinedBytesAreNamed) {
   const Ran ran = work.Run("check mixed.plc --encoding utf-8");
   EXPECT_EQ(ran.code, 0) << ran;
   EXPECT_THAT(ran.errors, HasSubstr("plcxx-6"));
+}
+
+// DOS ends a text with 1AH and fills up what is left of its block; more than that is lost text.
+TEST(BadInput, TextBehindTheEndMarkIsNamed) {
+  const Workplace work;
+  const std::string program = "$\nU4A0=I0A0\n;\x1A comment\nU4A1=I0A1 +\n";
+  work.Write("lost.plc", program);
+  const Ran ran = work.Run("check --dialect nc110 lost.plc");
+  EXPECT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.errors,
+              HasSubstr("lost.plc:3:2: warning: 'lost.plc' ends here, with a byte 1AH (Ctrl-Z); the 20 bytes"));
+  EXPECT_EQ(work.Run("check --dialect nc110 lost.plc -Werror=plcxx-26").code, 1);
+  EXPECT_THAT(work.Run("check --dialect nc110 lost.plc -Wno-plcxx-26").errors, Not(HasSubstr("1AH")));
+  work.Write("filled.plc", "$\nU4A0=I0A0\n\x1A\x1A" + std::string(60, '\0'));
+  EXPECT_THAT(work.Run("check --dialect nc110 filled.plc").errors, Not(HasSubstr("1AH")));
+  work.Write("t.plc", "$\nU4A0=I0A0\n");
+  work.Write("H", "I0A0 START\n\x1A\nI0A1 STOP\n");
+  EXPECT_THAT(work.Run("check --dialect nc110 t.plc --set help=H").errors, HasSubstr("'H' ends here"))
+      << "named files, too";
+  work.Write("m.plc", ":MOD PM 1\n:A I 0.0\n:= O 0.0\n:END PM 1\n\x1A more\n");
+  EXPECT_THAT(work.Run("check --dialect prostep m.plc").errors, Not(HasSubstr("1AH"))) << "its control says nothing";
 }
 
 TEST(BadInput, ContradictorySymbolFile) {

@@ -150,6 +150,18 @@ TEST_F(Loading, EndMarksOfADialect) {
   EXPECT_EQ(Text("a\x03z").text, "a\x03z");
 }
 
+TEST_F(Loading, TextBehindTheEndMarkIsCounted) {
+  EXPECT_EQ(Text("x=1\n\x1A\ny=2").unread_bytes, 4u);
+  EXPECT_EQ(Text("\x1A;\x1A\x1A").unread_bytes, 1u) << "to the last byte of text, not to the filling behind it";
+  EXPECT_EQ(Text(std::string_view("x=1\x1A\x1A\0\r\n\t \f\v\x1A", 12)).unread_bytes, 0u);
+  EXPECT_EQ(Text("x=1\n").unread_bytes, 0u);
+  EXPECT_EQ(Text("x=1\x1A").unread_bytes, 0u);
+  EXPECT_EQ(Text("\xEF\xBB\xBF\x1Ay").unread_bytes, 1u);
+  EXPECT_EQ(Text("x\x1Ay", {.end_marks = ""}).unread_bytes, 0u);
+  EXPECT_EQ(Text("x\x03y", {.end_marks = "\x03\x1A"}).unread_bytes, 1u);
+  EXPECT_EQ(Text("x\x1Ay", {.text_behind_end = TextBehindEnd::kIsNothing}).unread_bytes, 0u);
+}
+
 TEST_F(Loading, TheEndMarkComesBeforeTheEncoding) {
   // Cyrillic behind the mark would otherwise make the UTF-8 in front of it CP866.
   EXPECT_EQ(Text(";Насос\n\x1A" + Encoded("Смазка", Encoding::kCp866)).encoding, Encoding::kUtf8);

@@ -220,7 +220,7 @@ Compilation Compile(const CompilationRequest& request, Stage until) {
   compilation.system_include_directories = request.system_include_directories;
   compilation.macros = request.macros;
   Pipeline(request, until, compilation).Run();
-  ReportUndecodable(compilation);  // at the end: the dialect loads files, too
+  ReportUnread(compilation);  // at the end: the dialect loads files, too
   compilation.diagnostics.SortBySource();
   if (IsOn(compilation.options, "stop-on-error")) compilation.diagnostics.KeepFirstErrorOnly();
   return compilation;

@@ -152,14 +152,19 @@ std::string FromBase(const std::string& base_directory, const std::string& path)
   return (std::filesystem::path(base_directory) / path).string();
 }
 
-void ReportUndecodable(Compilation& compilation) {
+void ReportUnread(Compilation& compilation) {
   const bool by_dialect =
       compilation.dialect != nullptr && compilation.dialect->load.undecodable == source::Undecodable::kByTheDialect;
-  if (by_dialect) return;
   const source::SourceManager& sources = *compilation.sources;
+  std::set<std::string_view> seen;  // a file that is included twice is loaded twice
   for (uint32_t i = 0; i < sources.size(); ++i) {
     const source::File& file = sources.Get(source::FileId(i));
-    if (file.replaced.empty()) continue;
+    if (file.unread_bytes > 0 && seen.insert(file.path).second) {
+      const source::Offset end = sources.WholeFile(source::FileId(i)).end;
+      compilation.diagnostics.Report({end, end}, diag::TextBehindEndOfFile, file.path,
+                                     static_cast<int64_t>(file.unread_bytes));
+    }
+    if (by_dialect || file.replaced.empty()) continue;
     constexpr source::Offset kReplacementBytes = 3;  // U+FFFD
     const source::Offset first = file.base + file.replaced.front();
     compilation.diagnostics.Report({first, first + kReplacementBytes}, diag::UndecodableText, file.path,

@@ -16,8 +16,8 @@ void LoadSources(const CompilationRequest& request, Compilation& compilation);
 /// The dialect that LoadSources would choose; none when it cannot be told. Reads no standard input.
 const dialects::Dialect* DialectOf(const CompilationRequest& request);
 
-/// Of every file read: bytes that its encoding does not define.
-void ReportUndecodable(Compilation& compilation);
+/// Of every file read: bytes that its encoding does not define, and text behind its end mark.
+void ReportUnread(Compilation& compilation);
 
 /// `path` as it has to be opened from the current directory.
 std::string FromBase(const std::string& base_directory, const std::string& path);

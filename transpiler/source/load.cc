@@ -17,6 +17,15 @@ std::string_view UpToEndMark(std::string_view bytes, const LoadOptions& options)
   return bytes.substr(0, bytes.find_first_of(options.end_marks));
 }
 
+/// How many bytes behind the end mark are text, and not filling: those up to the last one of text.
+size_t CountUnread(std::string_view bytes, const LoadOptions& options) {
+  if (options.text_behind_end == TextBehindEnd::kIsNothing) return 0;
+  constexpr std::string_view kFilling(" \t\r\n\f\v\0", 7);
+  const size_t mark = UpToEndMark(bytes, options).size();
+  const size_t last = bytes.find_last_not_of(std::string(kFilling).append(options.end_marks));
+  return last == std::string_view::npos || last <= mark || mark == bytes.size() ? 0 : last - mark;
+}
+
 bool IsUtf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
 
 std::optional<LoadError> FindNul(std::string_view bytes, LineEnds ends) {
@@ -101,11 +110,13 @@ std::variant<FileId, LoadError> SourceManager::AddBytes(std::string path, std::s
 std::variant<FileId, LoadError> SourceManager::AddOwnedBytes(std::string path, std::string bytes,
                                                              const LoadOptions& options) {
   if (bytes.empty()) return LoadError{LoadProblem::kEmpty, "it is empty"};
+  const size_t unread = CountUnread(bytes, options);
   bytes.resize(UpToEndMark(bytes, options).size());
   if (auto error = FindNul(bytes, options.line_ends)) return std::move(*error);
 
   File file;
   file.path = std::move(path);
+  file.unread_bytes = unread;
   file.had_bom = bytes.starts_with(support::kByteOrderMark);
   support::RemoveByteOrderMark(bytes);
   std::vector<uint32_t> starts = FindLineStarts(bytes, options.line_ends);

@@ -71,6 +71,13 @@ enum class Undecodable : uint8_t {
   kByTheDialect,       // at each place (File::replaced), by the dialect's own code
 };
 
+/// Text that follows the end mark, which is not read: not blanks, line ends, zeros or further marks, with which DOS
+/// fills a file up.
+enum class TextBehindEnd : uint8_t {
+  kIsReported,  // plcxx-26, by the driver
+  kIsNothing,   // the control's rule: what follows the mark is ignored without a message
+};
+
 inline constexpr Encoding kRussianEncodings[] = {Encoding::kUtf8, Encoding::kCp866, Encoding::kCp1251,
                                                  Encoding::kKoi8R};
 
@@ -83,8 +90,9 @@ struct LoadOptions {
   Undecodable undecodable = Undecodable::kOneWarningPerFile;
   LineEnds line_ends = LineEnds::kLfCrLfOrCr;
   std::string_view end_marks = "\x1A";  // the first of these bytes and what follows is not part of the text (DOS: 1AH)
-  size_t max_bytes = 64u << 20;         // a larger file is refused before it is read
-  size_t max_line_bytes = 64u << 10;    // a longer line is refused
+  TextBehindEnd text_behind_end = TextBehindEnd::kIsReported;
+  size_t max_bytes = 64u << 20;       // a larger file is refused before it is read
+  size_t max_line_bytes = 64u << 10;  // a longer line is refused
 };
 
 enum class LoadProblem : uint8_t {
@@ -130,6 +138,7 @@ struct File {
   std::vector<uint32_t> line_starts;  // offsets into text
   std::vector<uint32_t> line_bytes;   // not UTF-8: the byte of the file at which each line starts; else empty
   std::vector<uint32_t> replaced;     // offsets into text of the U+FFFD that stand for an undefined byte each
+  size_t unread_bytes = 0;            // what follows the end mark and is to be reported, to its last byte of text
 };
 
 class SourceManager {
