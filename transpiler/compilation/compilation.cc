@@ -115,7 +115,7 @@ void Pipeline::Load() {
       compilation_.facts = ReadFacts(value, compilation_.diagnostics);
       continue;
     }
-    compilation_.options[OptionName(*compilation_.dialect, name)] = value;
+    SetOption(*compilation_.dialect, name, value, compilation_.options);
   }
   compilation_.dialect->check_options(compilation_.options, compilation_.diagnostics);
   if (!request_.macros.empty() && !compilation_.dialect->takes_macros) {

@@ -9,18 +9,31 @@
 namespace plcxx::compilation {
 namespace {
 
-bool SameLetters(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+/// Is it the option `key` that was written?
+bool IsWritten(const dialects::Dialect& dialect, std::string_view key, std::string_view written) {
+  return std::ranges::equal(key, written, [&dialect](unsigned char a, unsigned char b) {
+    return a == b || (dialect.options_ignore_case && std::tolower(a) == std::tolower(b)) ||
+           (dialect.options_take_underscores && a == '-' && b == '_');
+  });
 }
 
 }  // namespace
 
 std::string OptionName(const dialects::Dialect& dialect, const std::string& name) {
-  if (!dialect.options_ignore_case) return name;
   for (const dialects::OptionInfo& option : dialect.options) {
-    if (SameLetters(option.key, name)) return std::string(option.key);
+    if (IsWritten(dialect, option.key, name)) return std::string(option.key);
   }
   return name;
+}
+
+void SetOption(const dialects::Dialect& dialect, const std::string& name, const std::string& value,
+               std::map<std::string, std::string>& options) {
+  const std::string key = OptionName(dialect, name);
+  const auto row = std::ranges::find(dialect.options, key, &dialects::OptionInfo::key);
+  if (row != dialect.options.end()) {
+    for (const std::string_view part : row->replaces) options.erase(std::string(part));
+  }
+  options[key] = value;
 }
 
 void CheckOption(const dialects::Dialect& dialect, const std::string& name, const std::string& value,

@@ -1,6 +1,7 @@
 // One option of a dialect, looked at before anything is read: for files that name options, at the place where they do.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "transpiler/diagnostics/diagnostics.h"
@@ -10,6 +11,11 @@ namespace plcxx::compilation {
 
 /// The name of an option in the dialect's own letters; as it is when the dialect has none such.
 std::string OptionName(const dialects::Dialect& dialect, const std::string& name);
+
+/// Puts the option behind those that are there: its value replaces that of the same one, and of those that are a part
+/// of it.
+void SetOption(const dialects::Dialect& dialect, const std::string& name, const std::string& value,
+               std::map<std::string, std::string>& options);
 
 /// Reports an unknown name, or a value that the option does not take.
 void CheckOption(const dialects::Dialect& dialect, const std::string& name, const std::string& value,

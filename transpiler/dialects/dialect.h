@@ -30,6 +30,8 @@ struct OptionInfo {
   std::string_view default_value;  // as text; empty: none
   std::string_view meaning;
   bool is_of_simulation = false;  // of the simulated control: no part of the program
+  /// Options that each set a part of what this one sets: where it stands behind them, they say nothing more.
+  std::span<const std::string_view> replaces = {};
 };
 
 /// Reads a file that an option or an include names; the place where it is named is the caller's to report.
@@ -211,6 +213,7 @@ struct Dialect {
   diag::Lints lints;  // the dialect's codes for the checks of checks/
   /// Names of options mean the same in upper and lower case; `options` of a Request has them as `options` above.
   bool options_ignore_case = false;
+  bool options_take_underscores = false;  // '-' in their names may be written as '_'
   /// Do -D and -U mean something to it?
   bool reads_empty_files = false;      // an empty source is a text without lines, not a fault of the world
   bool takes_system_includes = false;  // --system-include means something to it

@@ -245,7 +245,8 @@ std::vector<NamedValue> Merged(std::vector<NamedValue> common, const std::vector
     } else if (!same->value.entries.empty() && !one.value.entries.empty()) {
       same->value.entries = Merged(std::move(same->value.entries), one.value.entries);
     } else {
-      *same = one;
+      common.erase(same);
+      common.push_back(one);  // at the end: of two options that mean the same thing the later one counts
     }
   }
   return common;

@@ -67,7 +67,6 @@ compilation::CompilationRequest RequestOf(const Scenario& scenario, const Progra
   if (named.program) {
     request = project::RequestOf(*named.program);
     request.include_directories.push_back(named.directory.empty() ? "." : named.directory);
-    request.options.clear();  // are among the scenario's
   } else {
     request.base_directory = named.directory;
     request.sources = named.sources;
@@ -82,7 +81,8 @@ compilation::CompilationRequest RequestOf(const Scenario& scenario, const Progra
     for (const std::string& path : overrides.sources)
       request.sources.push_back(std::filesystem::absolute(path).string());
   }
-  request.options = overrides.options;
+  // The later one counts: what the project says, the command line, the scenario.
+  request.options.insert(request.options.end(), overrides.options.begin(), overrides.options.end());
   if (overrides.program != nullptr) AddOptions(named, request);
   AddOptions(scenario, request);
   // What the command line says of warnings comes before what the project does.

@@ -23,7 +23,7 @@ namespace plcxx::scenarios {
 struct ProgramOverrides {
   std::vector<std::string> sources;                          // instead of the scenario's own
   std::shared_ptr<const Scenario> program;                   // `sources` are this one: its program, with its options
-  std::vector<std::pair<std::string, std::string>> options;  // the scenario's own win
+  std::vector<std::pair<std::string, std::string>> options;  // before plcxx.yaml's; the scenario's own win
   diag::WarningOptions warnings;
 };
 

@@ -64,7 +64,6 @@ std::vector<ScenarioError> TakeProgram(Scenario& scenario, const MarkedText& nam
   }
   scenario.program = *program;
   if (scenario.dialect.empty()) scenario.dialect = program->dialect;
-  for (const auto& [key, value] : program->options) scenario.options.emplace(key, value);
   const fs::path from = Canonical(scenario.directory);
   for (const std::string& source : program->sources) {
     const fs::path meant = Canonical((fs::path(program->folder) / source).string());

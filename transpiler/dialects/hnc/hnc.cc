@@ -76,6 +76,7 @@ const dialects::Dialect kHnc = {
     .make_stub = MakeStub,
     .report_over_budget = dialects::ReportNoBudget,
     .lints = {},
+    .options_take_underscores = true,
     .takes_macros = true,
     .values_wrap = true,
     .whole_periods = true,

@@ -75,6 +75,7 @@ const dialects::Dialect kTechnol = {
     .make_stub = MakeStub,
     .report_over_budget = dialects::ReportNoBudget,
     .lints = {},  // its own warnings are those of warnings.h
+    .options_take_underscores = true,
     .reads_empty_files = true,
     .takes_system_includes = true,
 };

@@ -170,7 +170,9 @@ ScenarioOptions OptionsBeside(const compilation::CompilationRequest& request) {
           return path_of(found.directory, one) == path_of(request.base_directory, other);
         });
     if (!is_of_program) continue;
-    for (const auto& [name, value] : scenario.options) ++counts[name][value];
+    std::map<std::string, std::string> options = scenario.options;
+    if (scenario.program) options.insert(scenario.program->options.begin(), scenario.program->options.end());
+    for (const auto& [name, value] : options) ++counts[name][value];
     found.dialect = scenario.dialect;
     ++found.count;
   }
@@ -186,6 +188,7 @@ ScenarioOptions OptionsBeside(const compilation::CompilationRequest& request) {
 
 /// The command line's options count first. A file is named from where the scenario stands.
 void TakeOptions(const ScenarioOptions& found, compilation::CompilationRequest& request) {
+  std::vector<std::pair<std::string, std::string>> taken;
   for (const auto& [name, value] : found.options) {
     const auto has_name = [&name](const auto& own) { return own.first == name; };
     if (std::ranges::any_of(request.options, has_name)) continue;
@@ -200,9 +203,10 @@ void TakeOptions(const ScenarioOptions& found, compilation::CompilationRequest& 
     if (name == "system-include") {
       request.system_include_directories.push_back(file.string());
     } else {
-      request.options.emplace_back(name, is_file ? fs::absolute(file).string() : value);
+      taken.emplace_back(name, is_file ? fs::absolute(file).string() : value);
     }
   }
+  request.options.insert(request.options.begin(), taken.begin(), taken.end());  // the later one counts
   if (request.dialect.empty()) request.dialect = found.dialect;
 }
 

@@ -114,8 +114,10 @@ bool NumberOnly(std::string_view text, Settings&) {
 }
 bool FileOnly(std::string_view text, Settings&) { return !text.empty(); }
 
+constexpr std::string_view kPartsOfClo[] = {"cycle_ms", "slice_ms"};
+
 constexpr dialects::OptionRow<Settings> kRows[] = {
-    {{"clo", "P,S in ms", "10,2", "period of the logic and time slot of its slow part"}, ApplyClo},
+    {{"clo", "P,S in ms", "10,2", "period of the logic and time slot of its slow part", false, kPartsOfClo}, ApplyClo},
     {{"cycle_ms", "1..60000", "10", "P of clo alone"},
      [](std::string_view t, Settings& s) { return Number(t, 1, 60'000, s.period_ms); }},
     {{"slice_ms", "1..60000", "2", "S of clo alone"},
