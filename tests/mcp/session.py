@@ -198,6 +198,17 @@ def wrong(client, folder, outside):
         client.refused("emit", sources=["lamp.plc"], output=path)
         client.refused("test", scenarios=[path])
         client.refused("diff", old=path, new="lamp.plc")
+        if path:
+            client.refused("ladder", sources=["lamp.plc"], options={"help": path})
+            client.refused("emit", sources=["lamp.plc"], options={"messages": path})
+    client.refused("ladder", sources=["lamp.plc"], options={"help": "-"})
+    client.refused("ladder", sources=["lamp.plc"], options={"help=../outside.plc": ""})
+    client.refused("ladder", sources=["lamp.plc"], include=["new"], options={"help": "way/outside.plc"})
+    (folder / "plcxx.yaml").write_text("folder: new\ndialect: nc110\nsources: lamp.plc\n")
+    client.refused("ladder", options={"help": "way/outside.plc"})
+    (folder / "plcxx.yaml").unlink()
+    (folder / "help").write_text("I0A3 START\n")
+    assert client.call("ladder", sources=["lamp.plc"], options={"help": "help", "slices": 2})["exitCode"] == 0
     client.refused("check", sources="lamp.plc")
     client.refused("check", sources=[7])
     client.refused("check")
@@ -206,6 +217,7 @@ def wrong(client, folder, outside):
     client.refused("check", sources=["lamp.plc"], colour="red")
     client.refused("check", sources=["lamp.plc"], options=["slices"])
     client.refused("check", sources=["lamp.plc"], seconds="soon")
+    client.refused("check", sources=["lamp.plc"], seconds=0)
     client.refused("check", sources=["lamp.plc"], dialect="--help")
     client.refused("emit", sources=["lamp.plc"], name="-x")
     client.refused("explain", code="nc110-99999")
@@ -243,6 +255,7 @@ def main():
         of_a_project(client, folder)
         ends_in_time(client, folder)
         (folder / "link").symlink_to(directory)
+        (folder / "new" / "way").symlink_to(directory)
         wrong(client, folder, outside)
         client.end()
         for dialect, folder_name, sources in [("host50", "ck6150", None)]:

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <utility>
+#include <variant>
 
+#include "transpiler/project/project.h"
 #include "transpiler/source/find_file.h"
 
 namespace plcxx::mcp {
@@ -62,8 +64,9 @@ std::vector<std::string> TextsOf(const Json& arguments, const char* key) {
 
 Command::Command(const Workplace& workplace, const Json& arguments, std::string_view subcommand)
     : workplace_(workplace), arguments_(arguments), words_{workplace.plcxx, std::string(subcommand)} {
-  seconds_ = static_cast<int>(
-      std::clamp<int64_t>(rpc::OptionalNumber(arguments, "seconds").value_or(60), 1, workplace.most_seconds));
+  const int64_t seconds = rpc::OptionalNumber(arguments, "seconds").value_or(60);
+  if (seconds < 1) Refuse("'seconds' is a number from 1");
+  seconds_ = static_cast<int>(std::min<int64_t>(seconds, workplace.most_seconds));
 }
 
 std::string Command::Checked(const std::string& path) const {
@@ -127,10 +130,37 @@ void Command::AddProgram() {
     AddWord(macro);
   }
   if (!arguments_.contains("options") || arguments_["options"].is_null()) return;
+  const std::vector<std::filesystem::path> folders = FoldersOfOptions();
   for (const auto& [key, value] : rpc::ObjectOf(arguments_, "options").items()) {
+    const std::string setting = key + "=" + OptionText(value);
+    // Which of them name files is the dialect's to know, which may only be told by the sources: no value may lead
+    // outside.
+    const std::string named = setting.substr(setting.find('=') + 1);
+    if (named.starts_with('-')) Refuse("'" + named + "' is not a value here");
+    for (const std::filesystem::path& folder : folders) {
+      if (!source::LiesBelow((folder / named).string(), workplace_.folder)) {
+        Refuse("'" + named + "' is outside of the server's folder");
+      }
+    }
     Add("--set");
-    AddWord(key + "=" + OptionText(value));
+    AddWord(setting);
   }
+}
+
+std::vector<std::filesystem::path> Command::FoldersOfOptions() const {
+  const std::filesystem::path whole = workplace_.folder;
+  std::vector<std::filesystem::path> folders = {whole};
+  for (const std::string& folder : TextsOf(arguments_, "include")) folders.push_back(whole / folder);
+  if (!TextsOf(arguments_, "sources").empty()) return folders;
+  const std::filesystem::path project = whole / rpc::OptionalText(arguments_, "project").value_or("plcxx.yaml");
+  const project::ProjectOrErrors read = project::ReadProject(project.string());
+  const auto* found = std::get_if<project::Project>(&read);
+  if (found == nullptr) return folders;  // no program is made of it
+  for (const project::Program& program : found->programs) {
+    folders.emplace_back(program.folder);
+    folders.insert(folders.end(), program.include.begin(), program.include.end());
+  }
+  return folders;
 }
 
 ChildResult Command::Run() const {

@@ -1,6 +1,7 @@
 // One command of plcxx for a tool: its words from the tool's parameters, its run, and what came out as JSON.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,9 @@ class Command {
   std::string Checked(const std::string& path) const;
 
  private:
+  /// Where a file that an option names may be looked for.
+  std::vector<std::filesystem::path> FoldersOfOptions() const;
+
   const Workplace& workplace_;
   const Json& arguments_;
   std::vector<std::string> words_;
