@@ -83,6 +83,24 @@ TEST(Frames, AMessageAboveTheLimitIsSkipped) {
   EXPECT_EQ(texts[1], "{}");
 }
 
+// A length of 10^12 made the server deaf: it waited for so many bytes.
+TEST(Frames, AHeaderEndsAMessageThatIsTooLong) {
+  FrameReader reader(Framing::kHeaders, 100);
+  std::vector<std::string> texts =
+      Read(reader, "Content-Length: 1000000000000\r\n\r\n{}" + Frame("[1]") + Frame("[2]"), 3);
+  ASSERT_EQ(texts.size(), 3u) << ::testing::PrintToString(texts);
+  EXPECT_EQ(texts[0].front(), '!');
+  EXPECT_EQ(texts[1], "[1]");
+  EXPECT_EQ(texts[2], "[2]");
+
+  // A text that speaks of a header is none.
+  const std::string talk = "{\"a\":\"Content-Length: 5\\r\\n\", \"b\":\"content-length:\"}" + std::string(200, ' ');
+  texts = Read(reader, Frame(talk) + Frame("[3]"), 7);
+  ASSERT_EQ(texts.size(), 2u) << ::testing::PrintToString(texts);
+  EXPECT_EQ(texts[0].front(), '!');
+  EXPECT_EQ(texts[1], "[3]");
+}
+
 TEST(Frames, LinesAreMessages) {
   FrameReader reader(Framing::kLines);
   EXPECT_EQ(Read(reader, "{}\r\n\n  \n[1]\nrest"), (std::vector<std::string>{"{}", "[1]"}));

@@ -20,6 +20,19 @@ size_t FindLength(std::string_view text, size_t from) {
   return found == text.end() ? std::string_view::npos : static_cast<size_t>(found - text.begin());
 }
 
+/// The first place where a line with the length begins whose end is there, too. Such bytes are within no JSON: a text
+/// has no line's end, and outside of a text no letters mean anything.
+size_t FindLengthLine(std::string_view text) {
+  for (size_t at = 0; (at = FindLength(text, at)) != std::string_view::npos; ++at) {
+    size_t end = text.find_first_not_of(" \t", at + kLength.size());
+    const size_t digits = end;
+    end = text.find_first_not_of("0123456789", end);
+    if (end == std::string_view::npos) return end;
+    if (end > digits && (text[end] == '\n' || text.substr(end, 2) == "\r\n")) return at;
+  }
+  return std::string_view::npos;
+}
+
 struct Header {
   size_t end = 0;  // where the message begins
   std::optional<size_t> length;
@@ -50,11 +63,7 @@ std::optional<Header> ReadHeader(std::string_view text) {
 
 }  // namespace
 
-void FrameReader::Feed(std::string_view bytes) {
-  const size_t skipped = std::min(skipping_, bytes.size());
-  skipping_ -= skipped;
-  bytes_.append(bytes.substr(skipped));
-}
+void FrameReader::Feed(std::string_view bytes) { bytes_.append(bytes); }
 
 void FrameReader::Drop(size_t count) {
   at_ += count;
@@ -100,7 +109,25 @@ void FrameReader::SkipToHeader() {
   Drop(next != std::string_view::npos ? next : size - std::min(size - 1, kLength.size() - 1));
 }
 
+void FrameReader::SkipMessage() {
+  const std::string_view rest = Rest();
+  const size_t next = FindLengthLine(rest);
+  if (next < skipping_) {
+    Drop(next);
+    skipping_ = 0;
+    return;
+  }
+  // The last bytes may be the beginning of a header whose rest has not arrived.
+  constexpr size_t kLineBytes = 64;
+  const size_t skipped =
+      rest.size() < skipping_ ? rest.size() - std::min(rest.size(), kLineBytes) : std::min(rest.size(), skipping_);
+  Drop(skipped);
+  skipping_ -= skipped;
+}
+
 std::optional<Frame> FrameReader::NextWithHeaders() {
+  if (skipping_ > 0) SkipMessage();
+  if (skipping_ > 0) return std::nullopt;
   const std::string_view rest = Rest();
   if (rest.empty()) return std::nullopt;
   const std::optional<Header> header = ReadHeader(rest.substr(0, kMaxHeaderBytes));
@@ -114,9 +141,8 @@ std::optional<Frame> FrameReader::NextWithHeaders() {
     return Frame{{}, "a message has no header Content-Length with its number of bytes"};
   }
   if (*header->length > max_bytes_) {
-    const size_t here = std::min(rest.size() - header->end, *header->length);
-    skipping_ = *header->length - here;
-    Drop(header->end + here);
+    skipping_ = *header->length;
+    Drop(header->end);
     return Frame{{}, "a message is longer than " + std::to_string(max_bytes_) + " bytes"};
   }
   if (rest.size() - header->end < *header->length) return std::nullopt;

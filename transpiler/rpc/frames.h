@@ -42,6 +42,8 @@ class FrameReader {
   std::optional<Frame> NextWithHeaders();
   /// What is left of a header that cannot be read, up to the next one that may be.
   void SkipToHeader();
+  /// Of a message that is too long: to its end, or to a header in it, for then its length was wrong.
+  void SkipMessage();
   std::string_view Rest() const { return std::string_view(bytes_).substr(at_); }
   void Drop(size_t count);
 
