@@ -72,7 +72,8 @@ TEST(Project, MacrosAreAMapOrAList) {
   const Folder folder;
   const auto texts = [&](std::string_view macros) {
     std::string all;
-    for (const dialects::MacroOption& macro : folder.Only("sources: b.plc\n" + std::string(macros)).macros)
+    for (const dialects::MacroOption& macro :
+         folder.Only("dialect: hnc\nsources: b.plc\n" + std::string(macros)).macros)
       all += macro.name + "=" + macro.text.value_or("(undefined)") + ";";
     return all;
   };
@@ -176,7 +177,7 @@ TEST(Project, EveryWrongValueIsRefusedAtItsPlace) {
   const WrongValue kWrong[] = {
       {"name: a/b", "2:7: 'a/b' cannot name files\n  help: use letters, digits, '_', '-' and '.'"},
       {"name: [a]", "2:7: 'name' is a single word or number"},
-      {"name: ", "3:1: 'name' is missing"},
+      {"name: ", "2:6: 'name' is missing"},
       {"folder: ''", "2:9: a path of 'folder' is empty"},
       {"dialect: nc11",
        "2:10: 'nc11' is no dialect; there are: classicladder, hnc, host50, nc110, prostep, technol\n"
@@ -189,6 +190,9 @@ TEST(Project, EveryWrongValueIsRefusedAtItsPlace) {
       {"options: {slices: 99}", "2:19: value '99' of option 'slices' is not valid\n  help: expected 1..64 or auto"},
       {"options: {facts: maybe}",
        "2:18: value 'maybe' of option 'facts' is not valid\n  help: expected trusted or checked"},
+      {"macros: {A: 1}", "2:1: 'macros' says nothing to dialect nc110\n  help: delete it: "},
+      {"undefine: [A]", "2:1: 'undefine' says nothing to dialect nc110"},
+      {"system-include: lib", "2:1: 'system-include' says nothing to dialect nc110"},
       {"include: /etc",
        "2:10: '/etc' is outside of the project DIR\n  help: move it there, or allow it with --allow-outside"},
       {"system-include: ../x", "2:17: '../x' is outside of the project DIR"},

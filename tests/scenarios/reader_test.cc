@@ -197,12 +197,35 @@ TEST(ScenarioReader, UnknownKeysAreRefusedByName) {
                           "s.yaml:1:12: a warning needs its 'code'"));
 }
 
+TEST(ScenarioReader, TheDialectAndItsOptionsAreRefusedAtTheirPlace) {
+  const std::string rest = "sources: [a.plc]\nsteps:\n- run: {slow: 1}\n";
+  EXPECT_THAT(Errors("dialect: nc11\n" + rest),
+              ElementsAre(testing::StartsWith("s.yaml:1:10: 'nc11' is no dialect, did you mean 'nc110'; there are: ")));
+  EXPECT_THAT(
+      Errors("dialect: nc110\noptions: {nope: 1, slices: 99}\n" + rest),
+      ElementsAre(
+          testing::StartsWith("s.yaml:2:11: 'nope' is no option of dialect nc110\n  help: its options are: "),
+          testing::StartsWith("s.yaml:2:28: value '99' of option 'slices' is not valid\n  help: expected 1..64")));
+  EXPECT_THAT(Errors("dialect: nc110\noptions: {encoding: cp866, facts: checked}\n" + rest), testing::IsEmpty());
+}
+
 TEST(ScenarioReader, WrongShapesAreRefusedAtTheirPlace) {
   EXPECT_THAT(Errors("steps: {set: 1}"), ElementsAre("s.yaml:1:8: 'steps' is a list"));
   EXPECT_THAT(Errors("steps:\n- set: I0A3\n"), ElementsAre("s.yaml:2:8: 'set' is a map '{key: value}'"));
   EXPECT_THAT(Errors("steps:\n- set: {I0A3: }\n"),
               ElementsAre("s.yaml:2:15: the value of 'I0A3' is missing\n"
                           "  help: write it behind its key, a colon and a blank: 'KEY: 1'"));
+  // Behind the key, and not where the next word is.
+  EXPECT_THAT(Errors("steps:\n- set: {I0A3: 1}\n- run:\n\n# then\n- expect: {U4A0: 1}\n"),
+              ElementsAre("s.yaml:3:7: 'run' is a map '{key: value}'"));
+  EXPECT_THAT(Errors("steps:\n- run:  # so long\n    slow:\n"),
+              ElementsAre(testing::StartsWith("s.yaml:3:10: 'slow' is missing")));
+  EXPECT_THAT(Errors("steps:\n- set:\n    I0A3: &x\n    I0A4: ~\n- run: {slow: 1}\n"),
+              ElementsAre(testing::StartsWith("s.yaml:3:11: the value of 'I0A3' is missing"),
+                          testing::StartsWith("s.yaml:4:11: the value of 'I0A4' is missing")));
+  EXPECT_THAT(
+      Errors("dialect:\nsteps:\n-\n- run: {slow: 1}\n"),
+      ElementsAre(testing::StartsWith("s.yaml:1:9: 'dialect' is missing"), testing::StartsWith("s.yaml:3:2: ")));
   EXPECT_THAT(Errors("steps:\n- set: {I0A3: [1]}\n"),
               ElementsAre("s.yaml:2:15: the value of 'I0A3' is a single word or number"));
   EXPECT_THAT(Errors("steps:\n- set: {I0A3: 1, I0A3: 0}\n"), ElementsAre("s.yaml:2:18: 'I0A3' is given twice"));

@@ -43,7 +43,7 @@ class ProgramMaker {
     if (!own_folder_.empty()) program_.include.push_back(file_folder_.empty() ? "." : file_folder_);
     const bool has_sources = std::ranges::any_of(keys, [](const NamedValue& k) { return k.row->key == Key::kSources; });
     if (!has_sources) reader_.Fail(mark, "'sources' is missing", "name the files of the program, in their order");
-    if (reader_.errors().empty()) CheckOptions(keys);
+    if (reader_.errors().empty()) CheckDialect(keys);
     return std::move(program_);
   }
 
@@ -250,15 +250,32 @@ class ProgramMaker {
     return scenarios;
   }
 
-  /// Where the dialect is known before anything is compiled: its options, each at its place.
-  void CheckOptions(const std::vector<NamedValue>& keys) {
-    const auto options = std::ranges::find(keys, Key::kOptions, [](const NamedValue& key) { return key.row->key; });
-    if (options == keys.end()) return;
+  /// Where the dialect is known before anything is compiled: what it takes, each at its place.
+  void CheckDialect(const std::vector<NamedValue>& keys) {
+    const auto is_of_some = [](const NamedValue& key) {
+      return key.row->key == Key::kOptions || key.row->key == Key::kMacros || key.row->key == Key::kUndefine ||
+             key.row->key == Key::kSystemInclude;
+    };
+    if (std::ranges::none_of(keys, is_of_some)) return;
     const dialects::Dialect* dialect = compilation::DialectOf(RequestOf(program_));
     if (dialect == nullptr) return;  // whoever compiles it is told
-    for (const NamedValue& option : options->value.entries) {
+    for (const NamedValue& key : keys) {
+      const bool is_macro = key.row->key == Key::kMacros || key.row->key == Key::kUndefine;
+      if (key.row->key == Key::kOptions) CheckOptions(*dialect, key.value);
+      if (is_macro && !dialect->takes_macros) RefuseFor(*dialect, key.name);
+      if (key.row->key == Key::kSystemInclude && !dialect->takes_system_includes) RefuseFor(*dialect, key.name);
+    }
+  }
+
+  void RefuseFor(const dialects::Dialect& dialect, const yaml::MarkedText& key) {
+    reader_.Fail(key.mark, "'" + key.text + "' says nothing to dialect " + std::string(dialect.name),
+                 "delete it: a program of this dialect has 'options' and 'include'");
+  }
+
+  void CheckOptions(const dialects::Dialect& dialect, const Value& options) {
+    for (const NamedValue& option : options.entries) {
       diag::Engine diagnostics;
-      compilation::CheckOption(*dialect, option.name.text, OnlyWord(option.value), diagnostics);
+      compilation::CheckOption(dialect, option.name.text, OnlyWord(option.value), diagnostics);
       for (const diag::Diagnostic& found : diagnostics.all()) {
         const bool unknown = found.row->key == diag::UnknownOption.row.key;
         reader_.Fail(unknown ? option.name.mark : option.value.mark, found.text, found.remedy);

@@ -25,6 +25,10 @@ class ScenarioReader : public yaml::Reader {
   const MarkedText& program() const { return program_; }
   /// The word of `plant:`, a file or `project`; empty when there is none.
   const MarkedText& plant() const { return plant_; }
+  /// The word of `dialect:`; empty when there is none.
+  const MarkedText& dialect() const { return dialect_; }
+  /// The keys and values of `options:`.
+  const std::vector<std::pair<MarkedText, MarkedText>>& options() const { return options_; }
 
  private:
   /// Names of files, or a map of names and texts.
@@ -49,7 +53,8 @@ class ScenarioReader : public yaml::Reader {
 
   Reach reach_;
   uint32_t repeats_ = 0;  // that what is being read stands in
-  MarkedText program_, plant_;
+  MarkedText program_, plant_, dialect_;
+  std::vector<std::pair<MarkedText, MarkedText>> options_;
 };
 
 }  // namespace plcxx::scenarios

@@ -6,6 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "transpiler/compilation/dialect_choice.h"
+#include "transpiler/compilation/option_check.h"
+#include "transpiler/dialects/dialect.h"
 #include "transpiler/project/reach.h"
 #include "transpiler/scenarios/project_program.h"
 #include "transpiler/scenarios/reader.h"
@@ -53,6 +56,27 @@ std::vector<ScenarioError> TakePlant(const MarkedText& word, Scenario& scenario)
   return {};
 }
 
+/// The dialect and its options, each at its place; where a fault is expected, it may be about these.
+std::vector<ScenarioError> CheckDialect(const ScenarioReader& reader, const Scenario& scenario) {
+  std::vector<ScenarioError> errors;
+  if (scenario.expect_error || scenario.dialect.empty()) return errors;
+  const dialects::Dialect* dialect = dialects::DialectByName(scenario.dialect);
+  if (dialect == nullptr) {
+    const std::string names = support::ThereAre(scenario.dialect, compilation::DialectNames());
+    return {{scenario.path, reader.dialect().mark, "'" + scenario.dialect + "' is no dialect" + names}};
+  }
+  for (const auto& [name, value] : reader.options()) {
+    if (name.text == "encoding" || name.text == "system-include") continue;  // the tool's own
+    diag::Engine diagnostics;
+    compilation::CheckOption(*dialect, name.text, value.text, diagnostics);
+    for (const diag::Diagnostic& found : diagnostics.all()) {
+      const bool unknown = found.row->key == diag::UnknownOption.row.key;
+      errors.push_back({scenario.path, unknown ? name.mark : value.mark, found.text, found.remedy});
+    }
+  }
+  return errors;
+}
+
 }  // namespace
 
 ScenarioOrErrors ReadScenario(const std::string& path, Reach reach) {
@@ -75,6 +99,7 @@ ScenarioOrErrors ParseScenario(const std::string& path, const std::string& text,
     std::vector<ScenarioError> errors = TakeProgram(scenario, reader.program(), reach);
     if (!errors.empty()) return errors;
   }
+  if (std::vector<ScenarioError> errors = CheckDialect(reader, scenario); !errors.empty()) return errors;
   if (!reader.plant().text.empty()) {
     std::vector<ScenarioError> errors = TakePlant(reader.plant(), scenario);
     if (!errors.empty()) return errors;
@@ -98,6 +123,7 @@ std::map<std::string, std::string> ScenarioReader::Options(const YAML::Node& nod
       value += (value.empty() ? "" : ",") + word;  // options that take several values separate them so
     }
     CheckReach(entry.key.mark, {value});
+    options_.push_back({entry.key, {value, Mark(entry.value)}});
     options[entry.key.text] = value;
   }
   return options;
@@ -171,6 +197,7 @@ Scenario ScenarioReader::Read(const YAML::Node& root) {
     const std::string& key = entry.key.text;
     if (key == "dialect" || key == "name" || key == "description") {
       const std::optional<MarkedText> word = Word(entry.value, "'" + key + "'");
+      if (word && key == "dialect") dialect_ = *word;
       if (word && key == "dialect") scenario.dialect = word->text;
       if (word && key == "name") scenario.name = word->text;
     } else if (key == "program") {

@@ -13,6 +13,7 @@
 #include "transpiler/engines/compiled_program.h"
 #include "transpiler/scenarios/groups.h"
 #include "transpiler/scenarios/separate_processes.h"
+#include "transpiler/support/system_words.h"
 
 namespace plcxx::scenarios {
 namespace {
@@ -198,6 +199,9 @@ std::variant<std::vector<std::string>, std::string> FindScenarios(const std::vec
       continue;
     }
     std::vector<std::string> found;
+    // One without the right to look at it is passed over below; it says nothing where it was named.
+    fs::directory_iterator named(path, error);
+    if (error) return "cannot read directory '" + path + "': " + support::SystemWords(error.value());
     const auto options = fs::directory_options::skip_permission_denied;
     for (auto entry = fs::recursive_directory_iterator(path, options, error);
          entry != fs::recursive_directory_iterator(); entry.increment(error)) {
@@ -210,7 +214,7 @@ std::variant<std::vector<std::string>, std::string> FindScenarios(const std::vec
         found.push_back(path == "." ? entry->path().lexically_normal().generic_string()
                                     : entry->path().generic_string());
     }
-    if (error) return "cannot read directory '" + path + "': " + error.message();
+    if (error) return "cannot read directory '" + path + "': " + support::SystemWords(error.value());
     if (found.empty()) return "there is no scenario (*.yaml) in directory '" + path + "'";
     std::sort(found.begin(), found.end());
     scenarios.insert(scenarios.end(), found.begin(), found.end());

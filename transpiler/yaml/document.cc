@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -13,6 +14,8 @@
 #include "transpiler/source/near_file.h"
 #include "transpiler/support/byte_order_mark.h"
 #include "transpiler/support/read_file.h"
+#include "transpiler/support/system_words.h"
+#include "transpiler/yaml/missing_values.h"
 
 namespace plcxx::yaml {
 namespace {
@@ -115,17 +118,26 @@ std::string BracesMissing(const std::string& text, uint32_t number) {
          line.substr(first + kColon.size()) + "}'";
 }
 
-/// The parser takes 0 and 4 for the end of what it reads, and tells something else then. Texts of 16 and 32 bits, which
-/// it reads, have zeros.
+/// Of 16 or 32 bits a character, which the parser reads.
+bool IsWide(const std::string& text) {
+  return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+         (text.size() > 1 && (text[0] == '\0' || text[1] == '\0'));
+}
+
+/// The parser takes 0 and 4 for the end of what it reads, and tells something else then. Wide texts have zeros.
 std::optional<Place> EndWithin(const std::string& text) {
-  const bool is_wide = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
-                       (text.size() > 1 && (text[0] == '\0' || text[1] == '\0'));
-  const size_t at = is_wide ? std::string::npos : text.find_first_of(std::string_view("\0\4", 2));
+  const size_t at = IsWide(text) ? std::string::npos : text.find_first_of(std::string_view("\0\4", 2));
   if (at == std::string::npos) return std::nullopt;
   const size_t line = text.rfind('\n', at);
   return Place{
       static_cast<uint32_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1),
       static_cast<uint32_t>(line == std::string::npos ? at + 1 : at - line)};
+}
+
+/// `error`: of the system; 0: it says nothing.
+Fault CannotBeRead(int error) {
+  const std::string why = error == 0 ? "" : ": " + support::SystemWords(error);
+  return {{}, "the file cannot be read" + why + "; check the path and the rights"};
 }
 
 }  // namespace
@@ -137,7 +149,9 @@ std::variant<YAML::Node, Fault> Load(const std::string& text) {
   try {
     const Documents documents = FirstDocuments(text);
     if (documents.second) return Fault{*documents.second, WhyNotTwo(text, *documents.second)};
-    return YAML::Load(text);
+    YAML::Node root = YAML::Load(text);
+    if (!IsWide(text)) PlaceMissingValues(root, text);
+    return root;
   } catch (const TooManyValues& fault) {
     return Fault{fault.mark, "more than " + std::to_string(kMostValues) + " values: divide the file"};
   } catch (const YAML::Exception& fault) {
@@ -151,6 +165,7 @@ std::variant<YAML::Node, Fault> Load(const std::string& text) {
 std::variant<std::string, Fault> ReadText(const std::string& path, size_t most, std::string_view what) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (error && status.type() != std::filesystem::file_type::not_found) return CannotBeRead(error.value());
   if (!std::filesystem::exists(status)) return Fault{{}, "there is no such file" + source::DidYouMeanFile(path)};
   if (std::filesystem::is_directory(status))
     return Fault{{}, "a directory: name the file in it that is the " + std::string(what)};
@@ -160,8 +175,9 @@ std::variant<std::string, Fault> ReadText(const std::string& path, size_t most, 
     constexpr int kMega = 20;  // bits
     return Fault{{}, "the file is larger than " + std::to_string(most >> kMega) + " MB: not a " + std::string(what)};
   }
+  errno = 0;
   std::optional<std::string> text = support::ReadFile(path);
-  if (!text) return Fault{{}, "the file cannot be read"};
+  if (!text) return CannotBeRead(errno);
   support::RemoveByteOrderMark(*text);
   return *std::move(text);
 }
