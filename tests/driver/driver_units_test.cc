@@ -70,6 +70,15 @@ TEST(WriteAll, EachFailureHasARemedyOfItsOwn) {
   EXPECT_EQ(remedy("/dev/full"), "no space left on device: make room there, or write to another disk");
 }
 
+TEST(WriteAll, TwoResultsHaveTwoNames) {
+  const testing_support::TemporaryDirectory directory;
+  const auto failure = WriteAll({"", {{directory.File("x"), "one"}, {directory.File("./x"), "two"}}, {}});
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->reason, "it is named for two results");
+  EXPECT_FALSE(std::filesystem::exists(directory.File("x")));
+  EXPECT_FALSE(WriteAll({"", {{"/dev/null", "one"}, {"/dev/null", "two"}}, {}}).has_value());
+}
+
 TEST(CannotBeWritten, IsKnownBeforeTheWork) {
   const testing_support::TemporaryDirectory directory;
   const std::string folder = directory.File("folder"), file = directory.File("file");

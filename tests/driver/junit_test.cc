@@ -15,7 +15,7 @@ TEST(Junit, IsEscapedAndCounted) {
       {"a.yaml", "dir", scenarios::TestOutcome::kPassed, ""},
       {"b<1>.yaml", "dir", scenarios::TestOutcome::kFailed, "x < \"y\" & \x01\xFF\nsecond"},
       {"c.yaml", "", scenarios::TestOutcome::kUnusable, "\xD0\x96"}};
-  EXPECT_EQ(JunitXml(cases),
+  EXPECT_EQ(JunitXml(cases, JunitOf::kScenarios),
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
             "<testsuites name=\"plcxx test\" tests=\"3\" failures=\"1\" errors=\"1\">\n"
             "  <testsuite name=\"scenarios\" tests=\"3\" failures=\"1\" errors=\"1\" skipped=\"0\">\n"
@@ -29,6 +29,13 @@ TEST(Junit, IsEscapedAndCounted) {
             "    </testcase>\n"
             "  </testsuite>\n"
             "</testsuites>\n");
+}
+
+TEST(Junit, SaysWhichCommandItIsOf) {
+  const std::vector<scenarios::TestCase> cases = {{"never A", "p.prop", scenarios::TestOutcome::kPassed, ""}};
+  const std::string xml = JunitXml(cases, JunitOf::kProperties);
+  EXPECT_NE(xml.find("<testsuites name=\"plcxx prove\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<testsuite name=\"properties\""), std::string::npos) << xml;
 }
 
 }  // namespace

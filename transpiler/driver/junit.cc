@@ -53,9 +53,29 @@ std::string_view Element(scenarios::TestOutcome outcome) {
   return outcome == scenarios::TestOutcome::kFailed ? "failure" : "error";
 }
 
+std::string_view SuiteNameOf(JunitOf what) {
+  switch (what) {
+    case JunitOf::kScenarios:
+      return "scenarios";
+    case JunitOf::kProperties:
+      return "properties";
+  }
+  return {};
+}
+
+std::string_view SuiteCommandOf(JunitOf what) {
+  switch (what) {
+    case JunitOf::kScenarios:
+      return "plcxx test";
+    case JunitOf::kProperties:
+      return "plcxx prove";
+  }
+  return {};
+}
+
 }  // namespace
 
-std::string JunitXml(std::span<const scenarios::TestCase> cases) {
+std::string JunitXml(std::span<const scenarios::TestCase> cases, JunitOf what) {
   const auto count = [&](scenarios::TestOutcome outcome) {
     return std::to_string(
         std::count_if(cases.begin(), cases.end(), [&](const scenarios::TestCase& c) { return c.outcome == outcome; }));
@@ -63,8 +83,9 @@ std::string JunitXml(std::span<const scenarios::TestCase> cases) {
   const std::string counts = " tests=\"" + std::to_string(cases.size()) + "\" failures=\"" +
                              count(scenarios::TestOutcome::kFailed) + "\" errors=\"" +
                              count(scenarios::TestOutcome::kUnusable) + "\"";
-  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"plcxx test\"" + counts + ">\n";
-  xml += "  <testsuite name=\"scenarios\"" + counts + " skipped=\"0\">\n";
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"" +
+                    std::string(SuiteCommandOf(what)) + "\"" + counts + ">\n";
+  xml += "  <testsuite name=\"" + std::string(SuiteNameOf(what)) + "\"" + counts + " skipped=\"0\">\n";
   for (const scenarios::TestCase& test : cases) {
     xml += "    <testcase classname=\"" + EscapedForXml(test.group) + "\" name=\"" + EscapedForXml(test.name) + "\"";
     if (test.outcome == scenarios::TestOutcome::kPassed) {

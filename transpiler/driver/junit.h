@@ -1,6 +1,7 @@
-// JUnit XML of a test run, as build servers read it. Same run, same bytes: no date, no duration.
+// JUnit XML of a run of scenarios or of proofs, as build servers read it. Same run, same bytes: no date, no duration.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -8,6 +9,9 @@
 
 namespace plcxx::driver {
 
-std::string JunitXml(std::span<const scenarios::TestCase> cases);
+/// What the cases are, and so which command found them out.
+enum class JunitOf : uint8_t { kScenarios, kProperties };
+
+std::string JunitXml(std::span<const scenarios::TestCase> cases, JunitOf what);
 
 }  // namespace plcxx::driver

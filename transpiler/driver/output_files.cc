@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -133,6 +135,7 @@ class Transaction {
   };
 
   std::optional<WriteFailure> MakeDirectory();
+  std::optional<WriteFailure> FindSameName() const;
   std::optional<WriteFailure> CheckTarget(const emit::OutputFile& file) const;
   std::optional<WriteFailure> WriteTemporary(const emit::OutputFile& file);
   std::optional<WriteFailure> WriteThrough(const emit::OutputFile& file) const;
@@ -230,6 +233,16 @@ bool IsSpecial(const std::string& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
+/// A file that two results are to get.
+std::optional<WriteFailure> NamedTwice(std::span<const std::string> paths) {
+  std::set<std::string> seen;
+  for (const std::string& path : paths) {
+    if (path.empty() || IsSpecial(path) || seen.insert(WholePath(path)).second) continue;
+    return WriteFailure{path, "it is named for two results", "give each of them a name of its own"};
+  }
+  return std::nullopt;
+}
+
 /// What a link leads to: the link stays one.
 std::string Resolved(const std::string& path) {
   std::error_code error;
@@ -288,7 +301,15 @@ std::optional<WriteFailure> Transaction::Replace(Replacement& replacement) {
   return std::nullopt;
 }
 
+/// Both would be written beside the one place, and one of them would be lost.
+std::optional<WriteFailure> Transaction::FindSameName() const {
+  std::vector<std::string> names;
+  for (const emit::OutputFile& file : request_.files) names.push_back(file.name);
+  return NamedTwice(names);
+}
+
 std::optional<WriteFailure> Transaction::Run() {
+  if (auto failure = FindSameName()) return failure;
   if (auto failure = MakeDirectory()) return failure;
   for (const emit::OutputFile& file : request_.files) {
     if (auto failure = CheckTarget(file)) return failure;
@@ -370,6 +391,7 @@ bool CanBeWritten(std::initializer_list<std::string> paths) {
     }
     if (const auto failure = CannotBeWritten(path)) return CannotWrite(*failure), false;
   }
+  if (const auto failure = NamedTwice(std::span(paths.begin(), paths.size()))) return CannotWrite(*failure), false;
   return true;
 }
 

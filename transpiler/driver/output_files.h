@@ -49,7 +49,7 @@ std::optional<WriteFailure> WriteWithFolders(const OutputRequest& request);
 /// written to, or what is no file. The folders above it may be missing.
 std::optional<WriteFailure> CannotBeWritten(const std::string& path);
 /// Of those that are named (the others are empty) the first such; false: told as a usage error. "-" is standard output
-/// everywhere, and here it has something else.
+/// everywhere, and here it has something else. Two of them are not the same file.
 bool CanBeWritten(std::initializer_list<std::string> paths);
 
 /// Tells that as a usage error; its exit code, for commands that end with it.

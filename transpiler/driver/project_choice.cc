@@ -86,6 +86,10 @@ std::string OneValue(std::vector<ProgramValue> values, Result result) {
 }  // namespace
 
 std::optional<std::vector<project::Program>> ChoosePrograms(CommonOptions& options) {
+  if (options.all && !options.program_names.empty()) {
+    PrintUsageError("--all takes every program, --program one of them: leave one of the two out");
+    return std::nullopt;
+  }
   if (options.project.empty()) {
     const std::optional<std::string> found = project::FindProject(".");
     if (!found) {
@@ -107,7 +111,9 @@ std::optional<std::vector<project::Program>> ChoosePrograms(CommonOptions& optio
     for (const std::string& name : options.program_names) {
       const project::Program* program = ProgramOf(project, name);
       if (program == nullptr) return std::nullopt;
-      chosen.push_back(*program);
+      const bool is_chosen = std::ranges::any_of(
+          chosen, [&name](const project::Program& other) { return project::NameOf(other) == name; });
+      if (!is_chosen) chosen.push_back(*program);
     }
     return chosen;
   }

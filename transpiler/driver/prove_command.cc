@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/diagnostics_output.h"
 #include "transpiler/driver/exit_codes.h"
@@ -72,9 +73,10 @@ Examples:
 
 Exit codes: 0 all proved, 1 a property is violated or not decided, or the program has errors, 2 wrong use.)";
 
-/// For --junit: of all programs.
+/// Of all programs.
 struct ProveReport {
-  std::vector<scenarios::TestCase> cases;
+  uint32_t programs_without_properties = 0, programs_with = 0;
+  std::vector<scenarios::TestCase> cases;  // for --junit
   std::vector<std::string> protected_paths;
 };
 
@@ -118,11 +120,8 @@ class Prove {
         settings_.files.empty()) {
       return UsageError(chosen_.scenarios.back().path + ": no 'properties': there is nothing to prove");
     }
-    if (chosen_.scenarios.empty() && chosen_.files.empty()) {
-      return UsageError(
-          "there is nothing to prove: name a file of properties with --property, a scenario that has some, or "
-          "'properties' in plcxx.yaml");
-    }
+    if (chosen_.scenarios.empty() && chosen_.files.empty()) return SayNothingToProve();
+    ++settings_.report->programs_with;
     scenarios::MakeProveMachine(request_, machine_);
     compilation::Compilation& compilation = machine_.compilation;
     if (!compilation.ok()) {
@@ -178,6 +177,17 @@ class Prove {
   }
 
  private:
+  /// One program without properties does not keep those of the others from being proved.
+  int SayNothingToProve() const {
+    constexpr const char* kRemedy =
+        "name a file of properties with --property, a scenario that has some, or 'properties' in plcxx.yaml";
+    if (!settings_.common.is_one_of_several) return UsageError(std::string("there is nothing to prove: ") + kRemedy);
+    ++settings_.report->programs_without_properties;
+    std::cerr << "note: " << diag::Escaped(project::NameOf(*settings_.common.program))
+              << ": there is nothing to prove: it has no 'properties' in plcxx.yaml\n";
+    return kDone;
+  }
+
   review::properties::ScenarioPlace PlaceOfNext() const {
     const std::string folder = FolderOf(settings_.common, settings_.counterexamples);
     std::set<std::string> names;  // those of this run have their numbers
@@ -238,10 +248,8 @@ class Prove {
     for (const scenarios::Scenario& scenario : chosen_.scenarios) output.protected_paths.push_back(scenario.path);
     for (const std::string& path : chosen_.files) output.protected_paths.push_back(path);
     if (plant_) output.protected_paths.push_back(plant_->model().path());
-    if (settings_.report) {
-      std::ranges::copy(ProveCases(proved_), std::back_inserter(settings_.report->cases));
-      std::ranges::copy(output.protected_paths, std::back_inserter(settings_.report->protected_paths));
-    }
+    std::ranges::copy(ProveCases(proved_), std::back_inserter(settings_.report->cases));
+    std::ranges::copy(output.protected_paths, std::back_inserter(settings_.report->protected_paths));
     for (const ProvedProperty& proved : proved_) {
       if (!proved.file.empty()) output.files.push_back({proved.file, proved.scenario.yaml});
     }
@@ -270,13 +278,18 @@ int RunProve(const ProveSettings& settings) { return Prove(settings).Run(); }
 int RunProveOf(ProveSettings settings) {
   const std::string scenario = settings.counterexamples.empty() ? "" : PathIn(settings.counterexamples, "found.yaml");
   if (!CanBeWritten({settings.junit, scenario})) return kWrongUse;
-  if (!settings.junit.empty()) settings.report = std::make_shared<ProveReport>();
+  settings.report = std::make_shared<ProveReport>();
   const int code = RunForPrograms(settings, RunProve, settings.form == "json" ? Result::kJson : Result::kUnnamed);
-  if (!settings.report || settings.report->protected_paths.empty()) return code;
-  const auto failure = WriteWithFolders({.directory = {},
-                                         .files = {{settings.junit, JunitXml(settings.report->cases)}},
-                                         .protected_paths = settings.report->protected_paths,
-                                         .named = {settings.junit}});
+  if (code == kDone && settings.report->programs_with == 0 && settings.report->programs_without_properties > 0) {
+    return UsageError(
+        "no program of the project has properties: name a file of them with --property, or 'properties' in plcxx.yaml");
+  }
+  if (settings.junit.empty() || settings.report->protected_paths.empty()) return code;
+  const auto failure =
+      WriteWithFolders({.directory = {},
+                        .files = {{settings.junit, JunitXml(settings.report->cases, JunitOf::kProperties)}},
+                        .protected_paths = settings.report->protected_paths,
+                        .named = {settings.junit}});
   return failure ? std::max(code, CannotWrite(*failure)) : code;
 }
 

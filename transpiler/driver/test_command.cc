@@ -98,7 +98,7 @@ int WriteFiles(const TestSettings& settings, const std::vector<scenarios::Scenar
   if (!settings.junit.empty()) {
     std::vector<scenarios::TestCase> cases;
     for (const scenarios::ScenarioResult& result : results) cases.push_back(result.test);
-    output.files.push_back({settings.junit, JunitXml(cases)});
+    output.files.push_back({settings.junit, JunitXml(cases, JunitOf::kScenarios)});
   }
   if (!settings.waveform.empty() && !results.front().waveform.empty()) {
     output.files.push_back({settings.waveform, results.front().waveform});
