@@ -314,6 +314,27 @@ TEST(Guard, OtherPagesAreRefused) {
   EXPECT_NE(RefusedFor(request, local), "");
 }
 
+// Browsers leave port 80 out, and a name is one in either case.
+TEST(Guard, OneHostHasSeveralSpellings) {
+  const GuardOptions local{.port = 80, .token = {}}, other{.port = 8420, .token = {}};
+  HttpRequest request = Request("POST", "/api/command");
+  for (const char* host : {"127.0.0.1", "127.0.0.1:80", "localhost", "[::1]", "[::1]:80", "LOCALHOST"}) {
+    request.host = host;
+    request.origin = "http://" + request.host;
+    EXPECT_EQ(RefusedFor(request, local), "") << host;
+    EXPECT_NE(RefusedFor(request, other), "") << host;
+  }
+  for (const char* host : {"", "evil.example", "127.0.0.1:8420", "[::1]:"}) {
+    request.host = host;
+    EXPECT_NE(RefusedFor(request, local), "") << host;
+  }
+  request.host = "LocalHost:8420";
+  request.origin = "http://localhost:8420";
+  EXPECT_EQ(RefusedFor(request, other), "");
+  request.origin = "http://localhost";
+  EXPECT_NE(RefusedFor(request, other), "");
+}
+
 TEST(Guard, BeyondTheLoopbackATokenIsKnown) {
   const GuardOptions open{.port = 8420, .token = "0123456789abcdef"};
   HttpRequest request = Request("GET", "/api/events");
