@@ -209,6 +209,9 @@ class ModbusIo {
       if (safe && !Safe(value)) return false;
     }
     if (!addressed) return Fail("--server", "missing: --server ADDRESS:PORT, or --client HOST:PORT");
+    if (options_.role == ModbusRole::kServer && options_.poll_ms != 0) {
+      return Fail("--poll", "is between the requests of a client: leave it out");
+    }
     if (options_.poll_ms == 0) options_.poll_ms = Machine::kBaseMs;
     return true;
   }
@@ -447,6 +450,10 @@ int RunModbus(int argc, char** argv) {
       (strcmp(argv[2], "server") == 0 || strcmp(argv[2], "client") == 0)) {
     ModbusIo<Machine>::PrintMap(argv[2][0] == 's' ? ModbusRole::kServer : ModbusRole::kClient);
     return 0;
+  }
+  if (argc > 1 && strcmp(argv[1], "--map") == 0) {
+    fprintf(stderr, "%s: '--map': takes server or client, alone on the command line\n", Machine::kName);
+    return 2;
   }
   static ModbusIo<Machine> io;
   return RunLoop<Machine>(argc, argv, io);

@@ -177,6 +177,19 @@ TEST(CommandLine, WhatIsWrongBeginsWithNoCapital) {
               HasSubstr("'--verson' is no option of plcxx itself, did you mean '--version'"));
   EXPECT_THAT(work.Run("completion").errors, HasSubstr("plcxx: error: SHELL is required"));
   EXPECT_THAT(work.Run("emit x.plc --parts 0").errors, HasSubstr("--parts: value 0 not in range 1 to 64"));
+  // CLI11 takes a number below 0 for a very large one where no range is said.
+  for (const std::string command :
+       {"soak x.plc --seed", "mutate x.yaml --most", "sim x.plc --samples", "why U4A0 --step"}) {
+    for (const std::string value : {"-1", "x"}) {
+      const Ran ran = work.Run(command + " " + value);
+      EXPECT_EQ(ran.code, 2) << ran;
+      EXPECT_THAT(ran.errors, HasSubstr(": value " + value + " not in range ")) << command;
+    }
+  }
+  EXPECT_THAT(work.Run("sim x.plc --samples 0").errors, HasSubstr("value 0 not in range 1 to "));
+  EXPECT_THAT(work.Run("check x.plc --max-messages 1 --max-messages 2").errors,
+              HasSubstr("--max-messages is given 2 times: write it once"));
+  EXPECT_THAT(work.Run("soak x.plc --cxx clang++").errors, HasSubstr("--cxx is the compiler of --engine fleet"));
 }
 
 TEST(CommandLine, WordsThatAreNoCommand) {

@@ -86,6 +86,20 @@ TEST_F(ProjectCommand, CheckLooksAtThePlantAndThePanelThatItNames) {
 
 TEST_F(ProjectCommand, TheCommandLineComesFirst) {
   EXPECT_THAT(work_.Run("sim --cycles 2 --set clo=10,2").errors, HasSubstr("20 ms simulated"));
+  // Also of two options that mean the same thing.
+  work_.Write("plcxx.yaml", "name: saw\ndialect: nc110\nsources: lathe.plc\noptions: {cycle_ms: 30}\n");
+  EXPECT_THAT(work_.Run("sim --cycles 2").errors, HasSubstr("60 ms simulated"));
+  EXPECT_THAT(work_.Run("sim --cycles 2 --set clo=10,2").errors, HasSubstr("20 ms simulated"));
+  EXPECT_THAT(work_.Run("sim --cycles 2 --set cycle_ms=40 --set clo=10,2").errors, HasSubstr("20 ms simulated"));
+  EXPECT_THAT(work_.Run("sim --cycles 2 --set clo=10,2 --set cycle_ms=40").errors, HasSubstr("80 ms simulated"));
+  work_.Write("u.yaml", "steps:\n- run: {fast: 1}\n- expect: {U4A0: 1}\n");
+  EXPECT_THAT(work_.Run("test u.yaml --engine sim --set clo=10,2").out, HasSubstr("at 10 ms"));
+  work_.Write("u.yaml", "options: {clo: [50, 2]}\nsteps:\n- run: {fast: 1}\n- expect: {U4A0: 1}\n");
+  EXPECT_THAT(work_.Run("test u.yaml --engine sim").out, HasSubstr("at 50 ms"));
+  work_.Write("d.plc", "      DATA\n      DATA_END\n      MODULE_MAIN\n      MODULE_MAIN_END\n      STOP\n");
+  work_.Write("plcxx.yaml", "dialect: technol\nsources: d.plc\noptions: {slow_ms: 40}\n");
+  EXPECT_THAT(work_.Run("sim --cycles 2 --set slow-ms=10").errors, HasSubstr("20 ms simulated"));
+  work_.Write("plcxx.yaml", "name: saw\ndialect: nc110\nsources: lathe.plc\noptions: {clo: [20, 2]}\n");
   work_.Write("other.plc", "$\nU4A5=I0A5\n");
   EXPECT_THAT(work_.Run("check other.plc").errors, StartsWith("other: "));
   const Ran both = work_.Run("check other.plc --project plcxx.yaml");
@@ -215,6 +229,33 @@ TEST_F(Park, AProgramWithoutAScenarioIsNoted) {
   EXPECT_EQ(work_.Run("test --program saw --engine sim").code, 2);
 }
 
+// One without properties made the command fail, and nothing said which one.
+TEST_F(Park, AProgramWithoutPropertiesIsNoted) {
+  const std::string programs =
+      "programs:\n- {name: saw, folder: saw, properties: p.prop}\n- {name: mill, folder: mill}\n";
+  work_.Write("saw/p.prop", "U4A0 implies U4A0\n");
+  work_.Write("plcxx.yaml", "dialect: nc110\nsources: p.plc\n" + programs);
+  const Ran one = work_.Run("prove --all --junit j.xml");
+  EXPECT_EQ(one.code, 0) << one;
+  EXPECT_THAT(one.errors, HasSubstr("note: mill: there is nothing to prove"));
+  EXPECT_THAT(work_.Read("j.xml"), HasSubstr("<testsuites name=\"plcxx prove\" tests=\"1\""));
+  EXPECT_EQ(work_.Run("prove --program mill").code, 2);
+  work_.Write("plcxx.yaml",
+              "dialect: nc110\nsources: p.plc\nprograms:\n- {name: saw, folder: saw}\n- {name: mill, folder: mill}\n");
+  const Ran none = work_.Run("prove --all");
+  EXPECT_EQ(none.code, 2) << none;
+  EXPECT_THAT(none.errors, HasSubstr("no program of the project has properties"));
+}
+
+TEST_F(Park, AProgramIsChosenOnce) {
+  const Ran both = work_.Run("check --all --program mill");
+  EXPECT_EQ(both.code, 2) << both;
+  EXPECT_THAT(both.errors, HasSubstr("--all takes every program, --program one of them"));
+  const Ran twice = work_.Run("check --program mill --program mill");
+  EXPECT_EQ(twice.code, 0) << twice;
+  EXPECT_EQ(twice.errors, "mill: no errors, no warnings\n");
+}
+
 TEST_F(ProjectCommand, ProvesWhatTheProjectNames) {
   work_.Write("p.prop", "I0A0 implies U4A0\n");
   work_.Write("props.yaml", "properties: [I0A1 implies U4A1]\n");
@@ -246,6 +287,39 @@ TEST_F(ProjectCommand, EachRevisionHasItsOwn) {
   ASSERT_EQ(Git(work_, "branch stable"), 0);
   EXPECT_THAT(work_.Run("diff stabel..").errors, HasSubstr("git has no version 'stabel', did you mean 'stable'"));
   EXPECT_THAT(work_.Run("diff stable").errors, HasSubstr("'stable..' compares that version in git with the work tree"));
+}
+
+// They were ignored, and a comparison of something else was taken for the one that was asked for.
+TEST_F(ProjectCommand, DiffRefusesWhatItDoesNotLookAt) {
+  for (const std::string words : {"--project nope.yaml", "--program foo", "--all"}) {
+    const Ran ran = work_.Run("diff lathe.plc lathe.plc " + words);
+    EXPECT_EQ(ran.code, 2) << words << ran;
+    EXPECT_THAT(ran.errors, HasSubstr("sources and a project are named: leave one of them out")) << words;
+  }
+  for (const std::string words : {"diff HEAD.. --sources nope.plc", "diff --sources nope.plc"}) {
+    const Ran ran = work_.Run(words);
+    EXPECT_EQ(ran.code, 2) << words << ran;
+    EXPECT_THAT(ran.errors, HasSubstr("--sources is about two directories")) << words;
+  }
+  EXPECT_EQ(work_.Run("diff --map U4A0=U4A0 lathe.plc lathe.plc").code, 0);
+}
+
+// A message named the copy of the revision, another one in each run, and gone afterwards.
+TEST_F(ProjectCommand, ARevisionIsNamedAsGitNamesIt) {
+  if (Git(work_, "init -q") != 0) GTEST_SKIP() << "no git";
+  const std::string right = work_.Read("lathe.plc"), project = work_.Read("plcxx.yaml");
+  work_.Write("lathe.plc", "$\nU4A0=I0A0+\n");
+  ASSERT_EQ(Git(work_, "add ."), 0);
+  ASSERT_EQ(Git(work_, "commit -q -m one"), 0);
+  work_.Write("lathe.plc", right);
+  EXPECT_THAT(work_.Run("diff HEAD..").errors, AllOf(HasSubstr("HEAD:lathe.plc:2:"), Not(HasSubstr("/plcxx-"))));
+  EXPECT_THAT(work_.Run("diff HEAD.. --diagnostics json").errors, HasSubstr("\"HEAD:lathe.plc\""));
+  EXPECT_THAT(work_.Run("diff HEAD.. --diagnostics sarif").errors,
+              AllOf(HasSubstr("\"lathe.plc\""), Not(HasSubstr("/plcxx-"))));
+  work_.Write("plcxx.yaml", "sorces: a\n");
+  ASSERT_EQ(Git(work_, "commit -q -a -m two"), 0);
+  work_.Write("plcxx.yaml", project);
+  EXPECT_THAT(work_.Run("diff HEAD..").errors, HasSubstr("plcxx.yaml of 'HEAD':1:1: 'sorces' is no key"));
 }
 
 TEST_F(Park, DiffSaysWhichProgramItIsAbout) {

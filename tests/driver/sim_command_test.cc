@@ -9,6 +9,7 @@
 namespace plcxx::driver {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -148,6 +149,21 @@ TEST_F(Sim, WordsThatMeanNothing) {
   std::string many = "--watch U4A0";
   for (int i = 1; i < 17; ++i) many += ",U4A" + std::to_string(i);
   EXPECT_THAT(Run(many).errors, HasSubstr("up to 16"));
+}
+
+// An empty list took the next option for its location.
+TEST_F(Sim, AListOfNothingIsRefused) {
+  const Ran ran = Run("--watch , --for 20ms");
+  EXPECT_EQ(ran.code, 2) << ran;
+  EXPECT_THAT(ran.errors, HasSubstr("'--watch ,' names no location"));
+  EXPECT_EQ(Run("--watch U4A0, --for 20ms").code, 0);
+}
+
+TEST_F(Sim, WhatComesAfterTheEndIsNoted) {
+  const Ran ran = Run("--watch U4A0 --for 100ms --at 90ms:I0A0=1 --at 91ms:I0A0=0 --at 5s:I0A0=1");
+  EXPECT_EQ(ran.code, 0) << ran;
+  EXPECT_THAT(ran.errors, AllOf(HasSubstr("note: '--at 5s:I0A0=1' did not come"), HasSubstr("'--at 91ms:I0A0=0'"),
+                                Not(HasSubstr("90ms"))));
 }
 
 TEST_F(Sim, RealTimeIsLimited) {

@@ -226,10 +226,14 @@ def wrong_options(folder):
                              (["--client", "a:1", "--timeout", " 5"], "no timeout: 1 to 60000 ms"),
                              (["--client", "a:1", "--unit", "-0"], "no unit: 0 to 255"),
                              (["--client", "a:1", "--poll", "5", "--poll", "6"], "given twice"),
+                             (["--server", "127.0.0.1:1", "--poll", "5"], "'--poll': is between the requests of a client"),
                              (["--client", "a:1", "--safe", "i0a0=1", "--safe", "i0a0=0"], "given twice"),
                              (["--coil", "1"], "no option; there are: --server")):
         ran = subprocess.run([os.path.join(folder, "fan_modbus"), "--", *arguments], capture_output=True, text=True, timeout=LIMIT_S)
         assert ran.returncode == 2 and words in ran.stderr, (arguments, ran)
+    for arguments in (["--map"], ["--map", "foo"], ["--map", "server", "--periods", "1"]):
+        ran = subprocess.run([os.path.join(folder, "fan_modbus"), *arguments], capture_output=True, text=True, timeout=LIMIT_S)
+        assert ran.returncode == 2 and "'--map': takes server or client, alone on the command line" in ran.stderr, (arguments, ran)
     help_text = subprocess.run([os.path.join(folder, "fan_modbus"), "--help"], capture_output=True, text=True, check=True).stdout
     for option in ("--retentive", "--client", "--server", "--timeout", "--safe", "--poll", "--unit", "--map"):
         assert option in help_text, (option, help_text)

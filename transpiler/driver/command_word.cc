@@ -86,6 +86,9 @@ std::string DidYouMeanOption(const CLI::App& app, const CLI::App& command, const
 std::string UsageProblem(const CLI::ParseError& error) {
   std::string text = error.what();
   if (text == "A subcommand is required") return "a command is missing";
+  constexpr std::string_view kTooOften = ": At Most 1 required but received ";
+  if (const size_t at = text.find(kTooOften); at != std::string::npos)
+    return text.substr(0, at) + " is given " + text.substr(at + kTooOften.size()) + " times: write it once";
   // Its sentences begin with capitals, behind the name of an option, too; what is all in capitals is a word of ours.
   const auto lower = [&text](size_t at) {
     const auto is = [&text](size_t i, char first, char last) {

@@ -34,6 +34,18 @@ std::string Rendered(const compilation::Compilation& compilation, const MessageS
   return {};
 }
 
+/// Of SARIF, whose paths are addresses, nothing is left of it: they are those of the files in the work tree.
+std::string WithShownPaths(std::string text, const MessageStyle& messages) {
+  if (messages.hidden.empty()) return text;
+  const bool is_sarif = messages.format == DiagnosticsFormat::kSarif;
+  for (const std::string& begin : {"file://" + messages.hidden, messages.hidden}) {
+    const std::string shown = is_sarif ? "" : messages.shown;
+    for (size_t at = 0; (at = text.find(begin, at)) != std::string::npos; at += shown.size())
+      text.replace(at, begin.size(), shown);
+  }
+  return text;
+}
+
 /// What is kept for the end of a DiagnosticsDocuments, by stream.
 struct Kept {
   bool is_open = false;
@@ -71,12 +83,12 @@ std::optional<DiagnosticsFormat> DiagnosticsFormatByName(std::string_view name) 
 }
 
 void PrintDiagnosticsBeside(const compilation::Compilation& compilation, const MessageStyle& messages) {
-  Print(Rendered(compilation, messages), messages.format, std::cerr);
+  Print(WithShownPaths(Rendered(compilation, messages), messages), messages.format, std::cerr);
 }
 
 void PrintDiagnostics(const compilation::Compilation& compilation, const MessageStyle& messages) {
   std::ostream& out = messages.format == DiagnosticsFormat::kText ? std::cerr : std::cout;
-  Print(Rendered(compilation, messages), messages.format, out);
+  Print(WithShownPaths(Rendered(compilation, messages), messages), messages.format, out);
 }
 
 std::string CountText(const diag::Engine& diagnostics) {

@@ -16,6 +16,8 @@ enum class DiagnosticsFormat : uint8_t { kText, kJson, kSarif };
 struct MessageStyle {
   DiagnosticsFormat format = DiagnosticsFormat::kText;
   std::optional<size_t> most;  // --max-messages, of errors and of the others; 0: all
+  /// How paths begin that are nobody's, those of a copy that is gone afterwards, and what is shown of it: "HEAD:".
+  std::string hidden = {}, shown = {};
 };
 
 /// The names that --diagnostics accepts.

@@ -16,6 +16,7 @@
 #include "transpiler/driver/output_files.h"
 #include "transpiler/driver/own_files.h"
 #include "transpiler/driver/project_choice.h"
+#include "transpiler/driver/scenario_source.h"
 #include "transpiler/driver/sim_plan.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/engines/platform.h"
@@ -106,7 +107,10 @@ std::string RenderedDiff(const review::diff::Diff& diff, const DiffNames& names,
 /// false: the program has errors, which have been told.
 bool IsUsable(const review::diff::DiffSide& side, const DiffSettings& settings) {
   if (side.compilation.ok() && side.compilation.has_program) return true;
-  PrintDiagnosticsBeside(side.compilation, MessagesOf(settings.common));
+  MessageStyle messages = MessagesOf(settings.common);
+  messages.hidden = side.hidden_prefix;
+  messages.shown = side.label + ":";
+  PrintDiagnosticsBeside(side.compilation, messages);
   // What was wrong with a file or an option has named it.
   if (side.compilation.wrong_use || !side.compilation.reached) return false;
   PrintUsageError("'" + side.label +
@@ -193,6 +197,24 @@ Result ResultOf(const DiffSettings& settings) {
   return settings.format == "sarif" ? Result::kSarif : Result::kNamed;
 }
 
+/// What nobody would look at is refused; empty: nothing of that.
+std::string WhyNotTogether(const DiffSettings& settings) {
+  const review::diff::DiffWords& words = settings.words;
+  if (words.external) return {};
+  if (words.paths.empty()) {
+    return words.sources.empty() ? ""
+                                 : "--sources is about two directories: name them in front of it, or leave it out: the "
+                                   "program is that of plcxx.yaml";
+  }
+  const bool may_be_projects = std::ranges::any_of(words.paths, [](const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_directory(path, error) || IsScenario(path);
+  });
+  const bool named = !settings.common.project.empty() || settings.common.all ||
+                     (!settings.common.program_names.empty() && !may_be_projects);
+  return named ? "sources and a project are named: leave one of them out" : "";
+}
+
 /// Two revisions of a project are compared program by program, as the work tree names them.
 int RunDiffOf(const DiffSettings& asked) {
   DiffSettings settings = asked;
@@ -204,6 +226,7 @@ int RunDiffOf(const DiffSettings& asked) {
     words.revisions = std::move(words.paths[0]);
     words.paths.clear();
   }
+  if (const std::string why = WhyNotTogether(settings); !why.empty()) return UsageError(why);
   if (!words.paths.empty()) {
     if (settings.common.program_names.size() == 1) words.program = settings.common.program_names.front();
     return RunDiff(settings);
@@ -246,7 +269,9 @@ void AddDiff(CLI::App& app, Run& run) {
   command->add_option("--git", settings->words.revisions, "Compare two revisions")->type_name("A..B");
   command->add_flag("--git-external", settings->words.external, "Take the words that git gives to a diff tool");
   command->add_option("--map", settings->same, "A location of the old version that is another one in the new version")
-      ->type_name("OLD=NEW");
+      ->type_name("OLD=NEW")
+      ->allow_extra_args(false)
+      ->take_all();
   command->add_option("--counterexamples", settings->scenarios, "Write a scenario for each difference")
       ->type_name("DIR");
   command->add_option("--format", settings->format, "text, markdown, json, sarif or html")

@@ -156,7 +156,8 @@ void AddMutate(CLI::App& app, Run& run) {
       ->check(CLI::Range(0U, kPercent));
   command->add_option("--most", settings->most, "Changes that are tried, spread evenly over the program; 0: all")
       ->type_name("N")
-      ->default_str("0");
+      ->default_str("0")
+      ->check(CLI::Range(0L, 1'000'000'000L));
   command->add_option("-j,--jobs", settings->jobs, "Processes at a time, each with a share of the changes")
       ->type_name("N")
       ->default_str("2")

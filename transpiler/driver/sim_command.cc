@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "transpiler/diagnostics/terminal_text.h"
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/common_options.h"
 #include "transpiler/driver/exit_codes.h"
@@ -62,6 +63,11 @@ void PrintOutcome(const SimSettings& settings, const SimPlan& plan, const SimOut
     std::cerr << "--watch NAME,NAME... shows what happened meanwhile; plcxx report --print-symbols lists the names\n";
   if (plan.graph && outcome.graph == sim::Graph::Phase::kArmed) {
     std::cerr << "plcxx: the trigger '" << settings.words.trigger << "' did not come\n";
+  }
+  const uint64_t last_scan_ms = outcome.periods == 0 ? 0 : outcome.time_ms - outcome.time_ms / outcome.periods;
+  for (const SimValue& value : plan.at) {
+    if (!outcome.out_of_time && value.time_ms > last_scan_ms)
+      std::cerr << "plcxx: note: '--at " << diag::Escaped(value.written) << "' did not come: it is after the end\n";
   }
   if (outcome.out_of_time) {
     PrintUsageError("stopped after " + std::to_string(settings.time_limit) + " s of real time; see --time-limit");
@@ -143,7 +149,6 @@ void AddSim(CLI::App& app, Run& run) {
       ->check(CLI::Range(1l, 1'000'000l))
       ->excludes(duration);
   AddStimulus(*command, "--watch", words.watch, "LOC,...", "What to show, up to 16 locations");
-  command->get_option("--watch")->delimiter(',');
   command->add_flag("--changes", settings->changes, "Only rows in which a watched location changed")
       ->group("Simulation");
   AddStimulus(*command, "--at", words.at, "TIME:LOC=VALUE", "Write a location as machine or control would");
@@ -155,7 +160,7 @@ void AddSim(CLI::App& app, Run& run) {
   add("--trigger", words.trigger, "EDGE:LOC", "Graph instead of table, begun by rising:LOC or falling:LOC");
   add("--delay", words.delay, "TIME", "Of the graph's first sample behind the edge");
   add("--sampling", words.sampling, "TIME", "Between two samples of the graph; else every period");
-  add("--samples", words.samples, "N", "The graph is complete after N samples");
+  add("--samples", words.samples, "N", "The graph is complete after N samples")->check(CLI::Range(1L, 1'000'000'000L));
   add("--vcd", settings->waveform, "FILE", "Write the watched locations as a waveform");
   add("--time-limit", settings->time_limit, "SECONDS", "Of real time, at most (60)")->check(CLI::Range(1u, 86'400u));
   command->footer(kSimFooter);

@@ -116,7 +116,18 @@ bool Planner::Length() {
 }
 
 bool Planner::Watch() {
-  for (const std::string& name : words_.watch) {
+  std::vector<std::string> names;
+  for (const std::string& text : words_.watch) {
+    const size_t before = names.size();
+    for (size_t begin = 0; begin <= text.size();) {
+      const size_t end = std::min(text.find(',', begin), text.size());
+      if (end > begin) names.push_back(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    if (names.size() == before)
+      return Fail("'--watch " + text + "' names no location: write them with ',' between them");
+  }
+  for (const std::string& name : names) {
     dialects::Location location;
     if (!TakeLocation(name, location)) return false;
     if (location.text_input) return Fail(Quoted(name) + " cannot be read");

@@ -19,7 +19,7 @@ namespace plcxx::driver {
 struct SimWords {
   std::string duration;            // --for
   std::optional<uint32_t> cycles;  // --cycles
-  std::vector<std::string> watch;  // --watch, split at commas
+  std::vector<std::string> watch;  // --watch LOC,LOC
   std::vector<std::string> at;     // --at TIME:LOC=VALUE
   std::vector<std::string> force;  // --force LOC=VALUE
   std::string trigger;             // --trigger rising:LOC

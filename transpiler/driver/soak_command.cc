@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -142,7 +143,11 @@ std::optional<SoakWork> WorkOf(const SoakSettings& settings) {
     return refuse("--shard " + settings.shard + ": there are " + std::to_string(work.machines) +
                   " machines to be split; --machines gives more");
   }
-  if (settings.engine != kFleet) return work;
+  if (settings.engine != kFleet) {
+    if (!settings.compiler.empty())
+      return refuse("--cxx is the compiler of --engine fleet: leave it out, or name this engine");
+    return work;
+  }
   if (work.machines % (soak::kWideMachines * shard->count) != 0) {
     const std::string side_by_side = std::to_string(soak::kWideMachines);
     return refuse("--engine fleet runs " + side_by_side + " machines side by side: " + std::to_string(work.machines) +
@@ -309,7 +314,10 @@ void AddSoak(CLI::App& app, Run& run) {
   command->add_option("--time", settings->time, "Ends after so much real time, as in 60s or 8h")->type_name("TIME");
   command->add_option("--until", settings->until, "Ends with a finding whose text has these words; '' takes any")
       ->type_name("TEXT");
-  command->add_option("--seed", settings->seed, "What all chance is made of")->type_name("N")->default_str("1");
+  command->add_option("--seed", settings->seed, "What all chance is made of")
+      ->type_name("N")
+      ->default_str("1")
+      ->check(CLI::Range(0L, std::numeric_limits<long>::max()));  // CLI11 takes "-1" for a very large number
   command->add_option("--property", settings->files, "A file of properties, one a line; may stand several times")
       ->type_name("FILE")
       ->allow_extra_args(false)

@@ -311,7 +311,9 @@ void AddWhy(CLI::App& app, Run& run) {
   AddCommonOptions(*command, settings->common);
   command->add_option("--scenario", settings->scenario, "The run whose state is asked about")->type_name("FILE");
   command->add_option("--vcd", settings->waveform, "The recorded trace whose state is asked about")->type_name("FILE");
-  command->add_option("--step", settings->step, "The state after this step of it; else at its end")->type_name("N");
+  command->add_option("--step", settings->step, "The state after this step of it; else at its end")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1'000'000'000L));
   command->add_option("--at", settings->at, "The state after the last scan that begins by then, as in 1200ms or 3s")
       ->type_name("TIME");
   command->add_flag("--can", settings->can, "Whether it can be on at all: a run that shows it, or a proof");

@@ -80,9 +80,12 @@ FoundSources FindSources(const std::string& directory) {
 std::optional<std::string> TakeProject(const std::string& path, const std::string& where, const DiffWords& words,
                                        compilation::CompilationRequest& request) {
   project::ProjectOrErrors read = project::ReadProject(path, words.reach);
-  if (const auto* errors = std::get_if<std::vector<yaml::Error>>(&read)) {
+  if (auto* errors = std::get_if<std::vector<yaml::Error>>(&read)) {
     std::string text = "the project cannot be read";
-    for (const yaml::Error& error : *errors) text += "\n" + ToText(error);
+    for (yaml::Error& error : *errors) {
+      if (error.path == path) error.path = where;
+      text += "\n" + ToText(error);
+    }
     return text;
   }
   const auto& project = std::get<project::Project>(read);
