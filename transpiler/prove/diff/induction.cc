@@ -452,8 +452,12 @@ bool FindInductiveSet(Comparison& comparison, const InductionLimits& induction_l
   comparison.is_inductive = false;
   for (uint32_t round = 1; round <= most_rounds; ++round) {
     uint32_t separated = 0;
-    // With everything equal power-on is checked already.
-    if (most_rounds > 1 && !SeparateAfterPowerFailure(comparison, separated)) return false;
+    if (most_rounds == 1) {
+      // With everything equal power-on is checked already, but not what is kept until then.
+      separated += SeparateStoredOtherwise(comparison);
+    } else if (!SeparateAfterPowerFailure(comparison, separated)) {
+      return false;
+    }
     if (!DropRelationsAtPowerOn(comparison, separated)) return false;
     for (const machine::Part part : PartsOf(comparison)) {
       comparison.Report("round " + std::to_string(round));

@@ -160,8 +160,8 @@ void Matcher::InternalByName() {
     if (!is_candidate(old_, place)) continue;
     const auto found = by_name.find(place.name);
     if (found == by_name.end()) continue;
-    const ir::Place& other = *found->second;
-    if (old_.program->spaces[place.space].name == new_.program->spaces[other.space].name) Places(place, other);
+    // Also in another space: an option moves a word into the memory that is kept.
+    Places(place, *found->second);
   }
 }
 
