@@ -14,7 +14,7 @@ namespace plcxx::ir {
 namespace {
 
 constexpr std::string_view kEverything = R"(program "two words" nc110
-space A 32 volatile little host_visible "package A: \"in\" and out"
+space A 32 volatile little host_visible arrays part_of ALL 64 "package A: \"in\" and out"
 zone A 0 4 input
 zone A 4 8 output
 zone A bits 38 40 input

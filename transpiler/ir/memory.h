@@ -48,6 +48,13 @@ struct Space {
   bool host_visible = false;
   /// Of kRoutine: each of its places is used by one routine only, which stores it before it reads it.
   bool own = false;
+  /// Of a memory of the control that options cut into parts: its name, and the byte of it with which this part begins.
+  /// Empty: it is all of the memory that has its name.
+  std::string part_of;
+  uint32_t part_begin = 0;
+  /// Each zone is an array whose elements are known by their number in it: a program with other sizes has the same
+  /// element elsewhere. Else the control knows a byte by its offset.
+  bool zones_are_arrays = false;
   std::vector<Zone> zones;
   std::vector<InitialByte> initial;  // ascending; the rest is 0
   /// Tables that the sources declare constant, ascending: the host may look at them, and writes none.

@@ -8,6 +8,8 @@
 //   space A 32 volatile little host_visible "package A"
 //   zone A 0 4 input
 //   zone A bits 38 40 input                  of bits, where it is not of whole bytes
+//   space bits 90 volatile little arrays     each zone is an array, the place of which depends on the sizes
+//   space D_kept 64 retentive little part_of D 12   of the control's memory D from byte 12 on
 //   constant A 16 32                         a table that the sources declare constant
 //   initial A 5 0xf
 //   state T5 on_delay_timer

@@ -30,6 +30,8 @@ void PrintSpaces(Printer& printer) {
     out += text::kOrders[static_cast<size_t>(space.order)];
     if (space.host_visible) out += " host_visible";
     if (space.own) out += " own";
+    if (space.zones_are_arrays) out += " arrays";
+    if (!space.part_of.empty()) out += " part_of " + Word(space.part_of) + ' ' + Decimal(space.part_begin);
     if (handle != Word(space.name)) out += " named " + Word(space.name);
     if (!space.title.empty()) out += ' ' + Quoted(space.title);
     out += '\n';

@@ -24,6 +24,11 @@ void ReadSpace(Reader& reader) {
   space.order = static_cast<ByteOrder>(reader.OneOf(text::kOrders, "byte order"));
   space.host_visible = reader.Accept("host_visible");
   space.own = reader.Accept("own");
+  space.zones_are_arrays = reader.Accept("arrays");
+  if (reader.Accept("part_of")) {
+    space.part_of = reader.Name();
+    space.part_begin = reader.Number32();
+  }
   ReadNamed(reader, space.name);
   ReadText(reader, space.title);
   reader.Declare(reader.spaces, handle, reader.program.spaces.Add(std::move(space)), "space");

@@ -103,6 +103,39 @@ void Matcher::Places(const ir::Place& one, const ir::Place& other) {
   for (size_t i = 0; i < std::min(from.size(), to.size()); ++i) Pair(from[i], to[i]);
 }
 
+const std::string& MemoryOf(const ir::Space& space) { return space.part_of.empty() ? space.name : space.part_of; }
+
+/// Bits of two spaces of one memory that are the same to the control.
+struct SameBits {
+  uint32_t old_begin = 0, new_begin = 0, count = 0;
+};
+
+std::vector<SameBits> SameBitsOf(const ir::Space& one, const ir::Space& other) {
+  if (!one.zones_are_arrays || !other.zones_are_arrays) {
+    const uint32_t begin = std::max(one.part_begin, other.part_begin);
+    const uint32_t end = std::min(one.part_begin + one.bytes, other.part_begin + other.bytes);
+    if (begin >= end) return {};
+    return {{8 * (begin - one.part_begin), 8 * (begin - other.part_begin), 8 * (end - begin)}};
+  }
+  std::vector<SameBits> same;
+  const auto add = [&](size_t i, size_t j) {
+    const ir::Zone &from = one.zones[i], &to = other.zones[j];
+    same.push_back({from.begin, to.begin, std::min(from.end - from.begin, to.end - to.begin)});
+  };
+  // Every such space has inputs, and outputs behind them; memory may be missing in front, and an array behind.
+  const auto inputs_of = [](const ir::Space& space) {
+    return static_cast<size_t>(std::ranges::find(space.zones, ir::Direction::kInput, &ir::Zone::direction) -
+                               space.zones.begin());
+  };
+  const size_t i = inputs_of(one), j = inputs_of(other), behind = 2;
+  if (i + behind > one.zones.size() || j + behind > other.zones.size()) return same;
+  for (size_t before = 1; before <= std::min(i, j); ++before) add(i - before, j - before);
+  for (size_t k = 0; k < behind; ++k) add(i + k, j + k);
+  const size_t rest = std::min(one.zones.size() - i, other.zones.size() - j) - behind;
+  for (size_t back = 1; back <= rest; ++back) add(one.zones.size() - back, other.zones.size() - back);
+  return same;
+}
+
 template <class Accept>
 void Matcher::Spaces(Accept&& accept) {
   for (uint32_t i = 0; i < old_.program->spaces.size(); ++i) {
@@ -110,10 +143,13 @@ void Matcher::Spaces(Accept&& accept) {
     if (space.lifetime == ir::Lifetime::kRoutine) continue;
     for (uint32_t j = 0; j < new_.program->spaces.size(); ++j) {
       const ir::Space& other = new_.program->spaces[ir::SpaceId(j)];
-      if (other.name != space.name || other.lifetime == ir::Lifetime::kRoutine) continue;
-      for (uint32_t bit = 0; bit < 8 * std::min(space.bytes, other.bytes); ++bit) {
-        const execute::CellId one(old_.cells.spaces[i] + bit), same(new_.cells.spaces[j] + bit);
-        if (accept(one, same)) Pair(one, same);
+      if (MemoryOf(other) != MemoryOf(space) || other.lifetime == ir::Lifetime::kRoutine) continue;
+      for (const SameBits& bits : SameBitsOf(space, other)) {
+        for (uint32_t bit = 0; bit < bits.count; ++bit) {
+          const execute::CellId one(old_.cells.spaces[i] + bits.old_begin + bit),
+              same(new_.cells.spaces[j] + bits.new_begin + bit);
+          if (accept(one, same)) Pair(one, same);
+        }
       }
     }
   }

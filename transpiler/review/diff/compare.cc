@@ -95,7 +95,7 @@ void NameLeftOut(const Named& old_named, const Named& new_named, const prove::di
   NameWhatOneVersionHas(result.one_sided, old_named.words, new_named.words, diff);
   NameOptionsOfSimulation(old_named.side, new_named.side, diff);
   NameMovedRetentive(old_named.version, new_named.version, match, old_named.words, diff);
-  NameRenamedInstances(old_named.version, new_named.version, match, same, diff);
+  NameOtherNumbers(old_named.version, new_named.version, match, same, diff);
 }
 
 void NameChangedStatements(const DiffSide& old_side, const DiffSide& new_side, Diff& diff) {

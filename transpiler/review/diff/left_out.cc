@@ -101,8 +101,10 @@ void NameMovedRetentive(const prove::machine::Version& old_version, const prove:
       continue;
     const execute::Cell one = execute::CellAt(*old_version.program, old_version.cells, old_cell),
                         other = execute::CellAt(*new_version.program, new_version.cells, new_cell);
-    if (one.kind == execute::CellKind::kBit && (one.offset != other.offset || one.bit != other.bit))
-      moved.push_back(old_cell);
+    if (one.kind != execute::CellKind::kBit) continue;
+    const uint32_t from = old_version.program->spaces[one.space].part_begin + one.offset,
+                   to = new_version.program->spaces[other.space].part_begin + other.offset;
+    if (from != to || one.bit != other.bit) moved.push_back(old_cell);
   }
   if (moved.empty()) return;
   constexpr size_t kMostRangesOfVerdict = 6;
@@ -111,14 +113,14 @@ void NameMovedRetentive(const prove::machine::Version& old_version, const prove:
                                (NamesOf(moved, old_words).size() == 1 ? " has" : " have") + " another address");
 }
 
-void NameRenamedInstances(const prove::machine::Version& old_version, const prove::machine::Version& new_version,
-                          const prove::diff::Match& match, const std::vector<std::pair<ir::Place, ir::Place>>& same,
-                          Diff& diff) {
+void NameOtherNumbers(const prove::machine::Version& old_version, const prove::machine::Version& new_version,
+                      const prove::diff::Match& match, const std::vector<std::pair<ir::Place, ir::Place>>& same,
+                      Diff& diff) {
   const ir::Program &old_program = *old_version.program, &new_program = *new_version.program;
-  // Instances whose fields have no names in the program are nobody's to look at.
+  // The memory of an edge has no number in any language.
   std::set<ir::StateId> named;
-  for (const ir::Place& place : old_program.places) {
-    if (place.is_field()) named.insert(place.state);
+  for (uint32_t i = 0; i < old_program.states.size(); ++i) {
+    if (old_program.states[ir::StateId(i)].kind != ir::StateKind::kEdgeMemory) named.insert(ir::StateId(i));
   }
   for (const auto& [one, other] : same) {
     if (one.is_field()) named.erase(one.state);
@@ -132,15 +134,21 @@ void NameRenamedInstances(const prove::machine::Version& old_version, const prov
     const std::string &before = old_program.states[state].name, &after = new_program.states[what.state].name;
     if (before != after) pairs.push_back(before + " as " + after);
   }
-  // A symbol says what is one variable; somebody may still go by the address.
-  std::map<std::string, std::string> addresses;
+  // A symbol says what is one variable, unless it is an input or output; somebody may still go by the address.
+  const auto first_cell = [](const prove::machine::Version& version, const ir::Place& place) {
+    const bool has_cells = !place.is_field() && !place.indexed && execute::IsInside(*version.program, place);
+    return has_cells ? execute::CellsOf(*version.program, version.cells, place).front() : CellId();
+  };
+  std::map<std::string, const ir::Place*> addressed;
   for (const ir::Place& place : new_program.places) {
-    if (!place.address.empty()) addresses.emplace(place.name, place.address);
+    if (!place.address.empty()) addressed.emplace(place.name, &place);
   }
   for (const ir::Place& place : old_program.places) {
-    const auto found = place.address.empty() ? addresses.end() : addresses.find(place.name);
-    if (found != addresses.end() && found->second != place.address)
-      pairs.push_back(place.name + " at " + place.address + " as at " + found->second);
+    const auto found = place.address.empty() ? addressed.end() : addressed.find(place.name);
+    if (found == addressed.end() || found->second->address == place.address) continue;
+    const CellId from = first_cell(old_version, place), to = first_cell(new_version, *found->second);
+    if (from.valid() && to.valid() && match.new_of_old[from.index] == to)
+      pairs.push_back(place.name + " at " + place.address + " as at " + found->second->address);
   }
   if (pairs.empty()) return;
   diff.not_looked_at.push_back("what somebody finds who goes by numbers and addresses, where they are others now (" +

@@ -19,9 +19,9 @@ void NameWhatOneVersionHas(const prove::diff::OneSided& one_sided, const CellWor
 
 /// Timers, counters and their like are compared in pairs; one that has another name in the new version is found under
 /// it by whoever looks. Those of `same` are so by the user's own word.
-void NameRenamedInstances(const prove::machine::Version& old_version, const prove::machine::Version& new_version,
-                          const prove::diff::Match& match, const std::vector<std::pair<ir::Place, ir::Place>>& same,
-                          Diff& diff);
+void NameOtherNumbers(const prove::machine::Version& old_version, const prove::machine::Version& new_version,
+                      const prove::diff::Match& match, const std::vector<std::pair<ir::Place, ir::Place>>& same,
+                      Diff& diff);
 
 /// What a host answers is compared for every answer; options of the simulated control tell nothing about the program.
 void NameOptionsOfSimulation(const DiffSide& old_side, const DiffSide& new_side, Diff& diff);

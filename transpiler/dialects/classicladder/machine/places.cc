@@ -73,10 +73,13 @@ std::pair<std::string_view, std::string_view> NameAndTitle(Group group) {
   PLCXX_UNREACHABLE();
 }
 
+/// Several arrays one behind the other, so that most of them stand elsewhere in a program with other sizes.
+bool StartsElsewhere(Group group) { return group == Group::kBits || group == Group::kWords || group == Group::kFloats; }
+
 /// Inputs and outputs of the flat arrays.
 std::vector<ir::Zone> ZonesOf(Group group, const Sizes& sizes, uint32_t bytes) {
   const bool bits = group == Group::kBits, floats = group == Group::kFloats;
-  if (!bits && !floats && group != Group::kWords) return {ir::ZoneOfBytes(0, bytes, ir::Direction::kInternal)};
+  if (!StartsElsewhere(group)) return {ir::ZoneOfBytes(0, bytes, ir::Direction::kInternal)};
   const VariableKind input = floats ? VariableKind::kFloatInput
                              : bits ? VariableKind::kInput
                                     : VariableKind::kWordInput;
@@ -107,6 +110,7 @@ void AddSpaces(ir::Program& program, const Sizes& sizes) {
                         .title = std::string(title),
                         .bytes = bytes,
                         .host_visible = true,
+                        .zones_are_arrays = StartsElsewhere(group),
                         .zones = ZonesOf(group, sizes, bytes),
                         .initial = {}});
   }

@@ -195,6 +195,10 @@ Memory::Memory(ir::Program& program, uint32_t first_retentive, uint32_t last_ret
                              : row.key == SpaceKey::kDBehind ? last_retentive + 1
                                                              : 0;
       space.zones = ZonesOf(NcSpaceOf(row.key), first, space.bytes, row.direction);
+      if (NcSpaceOf(row.key) == Space::kD) {
+        space.part_of = "D";
+        space.part_begin = first;
+      }
     }
     spaces_[static_cast<size_t>(row.key)] = program.spaces.Add(std::move(space));
   }
