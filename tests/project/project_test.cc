@@ -60,6 +60,13 @@ targets:
   EXPECT_EQ(program.targets[1].output, in + "out/host");
 }
 
+// A value that does not fit the default of another option may fit what that one is set to.
+TEST(Project, OptionsAreRightTogether) {
+  const Folder folder;
+  const Program program = folder.Only("dialect: technol\nsources: [b.plc]\noptions: {fast-ms: 1000, slow-ms: 1000}\n");
+  EXPECT_THAT(program.options, ElementsAre(Pair("fast-ms", "1000"), Pair("slow-ms", "1000")));
+}
+
 TEST(Project, LittleIsEnough) {
   const Folder folder;
   const Program program = folder.Only("sources: b.plc\n");

@@ -36,13 +36,20 @@ void SetOption(const dialects::Dialect& dialect, const std::string& name, const 
   options[key] = value;
 }
 
-void CheckOption(const dialects::Dialect& dialect, const std::string& name, const std::string& value,
-                 diag::Engine& diagnostics) {
+std::vector<diag::Diagnostic> CheckOption(const dialects::Dialect& dialect, const std::string& name,
+                                          const std::string& value) {
+  diag::Engine diagnostics;
   if (name == kFactsOption) {
     static_cast<void>(ReadFacts(value, diagnostics));
   } else {
     dialect.check_options({{OptionName(dialect, name), value}}, diagnostics);
   }
+  std::vector<diag::Diagnostic> faults = diagnostics.all();
+  // Of values that do not fit together more is quoted than this one.
+  std::erase_if(faults, [quoted = "'" + value + "'"](const diag::Diagnostic& fault) {
+    return fault.row->key != diag::UnknownOption.row.key && fault.text.find(quoted) == std::string::npos;
+  });
+  return faults;
 }
 
 ir::Facts ReadFacts(const std::string& value, diag::Engine& diagnostics) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "transpiler/diagnostics/diagnostics.h"
 #include "transpiler/dialects/dialect.h"
@@ -17,9 +18,10 @@ std::string OptionName(const dialects::Dialect& dialect, const std::string& name
 void SetOption(const dialects::Dialect& dialect, const std::string& name, const std::string& value,
                std::map<std::string, std::string>& options);
 
-/// Reports an unknown name, or a value that the option does not take.
-void CheckOption(const dialects::Dialect& dialect, const std::string& name, const std::string& value,
-                 diag::Engine& diagnostics);
+/// What is wrong with an option by itself: an unknown name, or a value that it does not take. Values that do not fit
+/// together are not: the others may be named elsewhere.
+std::vector<diag::Diagnostic> CheckOption(const dialects::Dialect& dialect, const std::string& name,
+                                          const std::string& value);
 
 /// "trusted" or "checked", of the option kFactsOption; anything else is reported, and is trusted.
 ir::Facts ReadFacts(const std::string& value, diag::Engine& diagnostics);

@@ -274,9 +274,8 @@ class ProgramMaker {
 
   void CheckOptions(const dialects::Dialect& dialect, const Value& options) {
     for (const NamedValue& option : options.entries) {
-      diag::Engine diagnostics;
-      compilation::CheckOption(dialect, option.name.text, OnlyWord(option.value), diagnostics);
-      for (const diag::Diagnostic& found : diagnostics.all()) {
+      for (const diag::Diagnostic& found :
+           compilation::CheckOption(dialect, option.name.text, OnlyWord(option.value))) {
         const bool unknown = found.row->key == diag::UnknownOption.row.key;
         reader_.Fail(unknown ? option.name.mark : option.value.mark, found.text, found.remedy);
       }

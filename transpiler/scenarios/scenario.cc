@@ -67,9 +67,7 @@ std::vector<ScenarioError> CheckDialect(const ScenarioReader& reader, const Scen
   }
   for (const auto& [name, value] : reader.options()) {
     if (name.text == "encoding" || name.text == "system-include") continue;  // the tool's own
-    diag::Engine diagnostics;
-    compilation::CheckOption(*dialect, name.text, value.text, diagnostics);
-    for (const diag::Diagnostic& found : diagnostics.all()) {
+    for (const diag::Diagnostic& found : compilation::CheckOption(*dialect, name.text, value.text)) {
       const bool unknown = found.row->key == diag::UnknownOption.row.key;
       errors.push_back({scenario.path, unknown ? name.mark : value.mark, found.text, found.remedy});
     }
