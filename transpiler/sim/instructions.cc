@@ -100,6 +100,25 @@ struct Instructions {
     }
     return Flow::kOn;
   }
+  static Function LoadWideOf(const PlaceAccess& access) {
+    if (access.bytes == 2) return access.big_endian ? LoadWide<2, true> : LoadWide<2, false>;
+    if (access.bytes == 4) return access.big_endian ? LoadWide<4, true> : LoadWide<4, false>;
+    if (access.bytes == 8) return access.big_endian ? LoadWide<8, true> : LoadWide<8, false>;
+    return Load;
+  }
+  static Function LoadFieldOf(uint32_t bytes) {
+    if (bytes == 1) return LoadField<uint8_t>;
+    if (bytes == 2) return LoadField<uint16_t>;
+    if (bytes == 4) return LoadField<uint32_t>;
+    if (bytes == 8) return LoadField<uint64_t>;
+    return Load;
+  }
+  static Function StoreWideOf(const PlaceAccess& access) {
+    if (access.bytes == 2) return access.big_endian ? StoreWide<2, true> : StoreWide<2, false>;
+    if (access.bytes == 4) return access.big_endian ? StoreWide<4, true> : StoreWide<4, false>;
+    return Store;
+  }
+
   static Function LoadOf(const PlaceAccess& access, ir::Type type) {
     if (access.indexed) return Load;
     switch (access.kind) {
@@ -110,29 +129,9 @@ struct Instructions {
       case AccessKind::kByte:
         return LoadByte;
       case AccessKind::kWide:
-        switch (access.bytes) {
-          case 2:
-            return access.big_endian ? LoadWide<2, true> : LoadWide<2, false>;
-          case 4:
-            return access.big_endian ? LoadWide<4, true> : LoadWide<4, false>;
-          case 8:
-            return access.big_endian ? LoadWide<8, true> : LoadWide<8, false>;
-          default:
-            return Load;
-        }
+        return LoadWideOf(access);
       case AccessKind::kField:
-        switch (ir::Bytes(type)) {
-          case 1:
-            return LoadField<uint8_t>;
-          case 2:
-            return LoadField<uint16_t>;
-          case 4:
-            return LoadField<uint32_t>;
-          case 8:
-            return LoadField<uint64_t>;
-          default:
-            return Load;
-        }
+        return LoadFieldOf(ir::Bytes(type));
     }
     PLCXX_UNREACHABLE();
   }
@@ -144,14 +143,7 @@ struct Instructions {
       case AccessKind::kByte:
         return StoreByte;
       case AccessKind::kWide:
-        switch (access.bytes) {
-          case 2:
-            return access.big_endian ? StoreWide<2, true> : StoreWide<2, false>;
-          case 4:
-            return access.big_endian ? StoreWide<4, true> : StoreWide<4, false>;
-          default:
-            return Store;
-        }
+        return StoreWideOf(access);
       case AccessKind::kAbsent:
       case AccessKind::kField:
         return Store;

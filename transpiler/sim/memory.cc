@@ -5,13 +5,6 @@
 #include "transpiler/support/check.h"
 
 namespace plcxx::sim {
-namespace {
-
-uint8_t MaskOf(const PlaceAccess& access) {
-  return access.kind == AccessKind::kBit ? static_cast<uint8_t>(1u << access.bit) : uint8_t{0xFF};
-}
-
-}  // namespace
 
 Memory::Memory(const ir::Program& program) : program_(program), instances_(program) {
   for (const ir::Space& space : program.spaces) spaces_.emplace_back(space.bytes);

@@ -27,6 +27,11 @@ struct PlaceAccess {
 
 PlaceAccess AccessTo(const ir::Program& program, const ir::Place& place);
 
+/// The bits of each of its bytes that a place in memory is.
+inline uint8_t MaskOf(const PlaceAccess& access) {
+  return access.kind == AccessKind::kBit ? static_cast<uint8_t>(1U << access.bit) : uint8_t{0xFF};
+}
+
 /// Calls visit(space, offset, bit, bit of the value) for each bit of a place in memory that is not indexed.
 template <class Visit>
 void ForEachBitOf(const ir::Program& program, const ir::Place& place, Visit&& visit) {

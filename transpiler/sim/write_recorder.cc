@@ -9,15 +9,12 @@ void WriteRecorder::Begin() {
 void WriteRecorder::Note(const Memory& memory, const PlaceAccess& access, uint64_t index, LastWrite write) {
   uint32_t offset = access.offset;
   if (access.indexed && !ElementOffset(access, index, offset)) return;
-  uint8_t mask = 0xFF;
   switch (access.kind) {
     case AccessKind::kAbsent:
       return;
     case AccessKind::kField:
       return NoteField(memory, access.owner, access.field, write);
     case AccessKind::kBit:
-      mask = static_cast<uint8_t>(1u << access.bit);
-      break;
     case AccessKind::kByte:
       break;
     case AccessKind::kWide:
@@ -28,7 +25,7 @@ void WriteRecorder::Note(const Memory& memory, const PlaceAccess& access, uint64
   }
   const ForcedBytes& space = memory.spaces()[access.owner];
   for (uint32_t i = 0; i < access.bytes; ++i) {
-    writes_->NoteByte(ir::SpaceId(access.owner), offset + i, mask, space[offset + i], write);
+    writes_->NoteByte(ir::SpaceId(access.owner), offset + i, MaskOf(access), space[offset + i], write);
   }
 }
 

@@ -132,9 +132,9 @@ PropertyResult PropertyChecker::CheckInTime(const Property& property) {
   if (window > kMostQuickWindow) {
     // A long wait is found sooner by waiting, if it is found at all; what holds is counted.
     if (try_quickly()) return result;
-    if (!checked_.options.only_runs &&
-        TryCountingIn(checked_.RestMs() - checked_.RestMs() / kThoroughShare, checked_, invariants_, property, result))
-      return result;
+    const auto count = [&] { return TryCounting(checked_, invariants_, property, result); };
+    const uint32_t counting_ms = checked_.RestMs() - checked_.RestMs() / kThoroughShare;
+    if (!checked_.options.only_runs && Within(counting_ms, checked_, count)) return result;
     if (try_runs()) return result;
   }
   // After `window` - 1 periods the induction looks at whole windows.

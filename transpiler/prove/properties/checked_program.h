@@ -3,6 +3,7 @@
 // What the checks of several properties share is executed once. Not its job: what is asked (check.h).
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -52,6 +53,16 @@ struct CheckedProgram {
 
   bool too_large = false;  // the last question was not asked
 };
+
+/// What `attempt` gives within a part of the time that is left.
+template <class Attempt>
+auto Within(uint32_t milliseconds, CheckedProgram& checked, Attempt&& attempt) {
+  const auto end = checked.deadline;
+  checked.deadline = std::min(end, std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds));
+  const auto given = attempt();
+  checked.deadline = end;
+  return given;
+}
 
 inline constexpr size_t kMostQuestionTerms = 250'000;
 

@@ -110,13 +110,4 @@ bool TryCounting(CheckedProgram& checked, ProgramInvariants& invariants, const P
   return true;
 }
 
-bool TryCountingIn(uint32_t milliseconds, CheckedProgram& checked, ProgramInvariants& invariants,
-                   const Property& property, PropertyResult& result) {
-  const auto end = checked.deadline;
-  checked.deadline = std::min(end, std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds));
-  const bool proved = TryCounting(checked, invariants, property, result);
-  checked.deadline = end;
-  return proved;
-}
-
 }  // namespace plcxx::prove::properties

@@ -9,8 +9,5 @@ namespace plcxx::prove::properties {
 /// True: `result` has the verdict kProved.
 bool TryCounting(CheckedProgram& checked, ProgramInvariants& invariants, const Property& property,
                  PropertyResult& result);
-/// The same within a part of the time that is left.
-bool TryCountingIn(uint32_t milliseconds, CheckedProgram& checked, ProgramInvariants& invariants,
-                   const Property& property, PropertyResult& result);
 
 }  // namespace plcxx::prove::properties

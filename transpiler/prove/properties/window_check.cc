@@ -98,12 +98,10 @@ bool TryReachable(CheckedProgram& checked, ProgramInvariants& invariants, const 
 
 bool TryReachableFor(uint32_t milliseconds, CheckedProgram& checked, ProgramInvariants& invariants,
                      const Property& property, PropertyResult& result) {
-  const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
-  const auto deadline = std::exchange(checked.deadline, std::min(checked.deadline, soon));
   PropertyResult tried = result;
-  const bool is_proved =
-      TryReachable(checked, invariants, property, tried) && tried.verdict == PropertyVerdict::kProved;
-  checked.deadline = deadline;
+  const bool is_proved = Within(milliseconds, checked, [&] {
+    return TryReachable(checked, invariants, property, tried) && tried.verdict == PropertyVerdict::kProved;
+  });
   if (is_proved) result = std::move(tried);
   return is_proved;
 }
