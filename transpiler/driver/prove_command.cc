@@ -28,6 +28,7 @@
 #include "transpiler/driver/terminal.h"
 #include "transpiler/review/properties/coarse_runs.h"
 #include "transpiler/review/properties/runs.h"
+#include "transpiler/scenarios/pass_machine.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/scenarios/property_machine.h"
 #include "transpiler/support/read_file.h"
@@ -135,11 +136,17 @@ class Prove {
     const auto plant = ChooseSearchPlant(settings_.plant, settings_.common, compilation);
     if (!plant) return kWrongUse;
     plant_ = *plant;
+    if (plant_) review::properties::NameReadsOf(*plant_, machine_);
     progress_.Show("executing");
     const auto known = scenarios::KnownRuns(request_);
     review::properties::PropertyRuns runs(machine_, known);
     review::properties::CoarseRuns coarse_runs(machine_);
     options_.slices = machine_.slices;
+    if (machine_.slices > 1) {
+      options_.check_in_slices = [this](const prove::properties::Property& property, uint64_t milliseconds) {
+        return CheckInSlices(property, milliseconds);
+      };
+    }
     options_.try_runs = [&](const prove::properties::RunSearch& search) {
       // Where most periods do nothing, runs are computed in which something happens in each of them.
       prove::properties::RunSearch rest = search;
@@ -205,7 +212,8 @@ class Prove {
     progress_.Show("property " + number + " of " + std::to_string(properties_.size()) + ": " + property.text);
     proved.result = checker.Check(property);
     // A claim is made of what was looked at only.
-    if (machine_.slices > 1 && proved.result.verdict == prove::properties::PropertyVerdict::kProved) {
+    if (machine_.slices > 1 && proved.result.verdict == prove::properties::PropertyVerdict::kProved &&
+        !proved.result.in_slices) {
       std::string& remark = proved.result.remark;
       remark +=
           (remark.empty() ? "" : "; ") +
@@ -224,6 +232,34 @@ class Prove {
       std::cout << ProveText(proved, colours) << std::flush;
     }
     proved_.push_back(std::move(proved));
+  }
+
+  /// The same with inputs that change between the slices; none: these cannot be followed.
+  std::optional<prove::properties::PropertyResult> CheckInSlices(const prove::properties::Property& property,
+                                                                 uint64_t milliseconds) {
+    if (!pass_) {
+      pass_ = std::make_unique<scenarios::PassMachine>();
+      scenarios::MakePassMachine(request_, machine_, *pass_);
+    }
+    if (!pass_->refusal.empty()) return std::nullopt;
+    prove::properties::CheckOptions options{.time_ms = milliseconds,
+                                            .most_periods = options_.most_periods,
+                                            .retentive = options_.retentive,
+                                            .progress = options_.progress};
+    options.why_not_shown = [&](const prove::properties::Property&, const prove::properties::PropertyResult& result) {
+      prove::properties::PropertyResult of_slices = result;
+      of_slices.run = scenarios::FromPass(*result.run, machine_, *pass_);
+      return options_.why_not_shown(property, of_slices);
+    };
+    const auto first = static_cast<uint32_t>(replayed_.size());
+    prove::properties::PropertyChecker checker(pass_->version, options);
+    if (!checker.refusal().empty()) return std::nullopt;
+    prove::properties::PropertyResult result = checker.Check(scenarios::InPass(property, machine_, *pass_));
+    if (result.run) {
+      result.run = scenarios::FromPass(*result.run, machine_, *pass_);
+      result.replay += first;
+    }
+    return result;
   }
 
   /// A proof is about all inputs, and about nothing else that a plant may write.
@@ -265,6 +301,7 @@ class Prove {
   compilation::CompilationRequest request_;
   ChosenProperties chosen_;
   scenarios::ProveMachine machine_;
+  std::unique_ptr<scenarios::PassMachine> pass_;  // of a program with slices, once it was asked for
   ProgressLine progress_;
   std::vector<scenarios::PlacedProperty> properties_;
   std::vector<ProvedProperty> proved_;

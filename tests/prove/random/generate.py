@@ -507,11 +507,14 @@ def properties(machine, count):
     return [one() for _ in range(count)]
 
 
-def scenario(machine, source, held, rng, periods):
+def scenario(machine, source, held, rng, periods, options):
     """A long random run that watches properties: inputs, what the program only takes back, what the control takes back,
     power failures."""
     text = f"dialect: {machine.dialect}\nsources: [{source}]\nproperties:\n"
-    text += "".join("- \"" + one + "\"\n" for one in held) + "steps:\n"
+    text += "".join("- \"" + one + "\"\n" for one in held)
+    if options:
+        text += "options: {" + ", ".join(f"{key}: {value}" for key, value in options.items()) + "}\n"
+    text += "steps:\n"
     one_in = rng.choice([1, 2, 4, 8, 16])
     density = rng.choice([0.2, 0.5, 0.8])
     inputs = machine.inputs + ([machine.flag] if machine.is_taken else [])

@@ -20,6 +20,13 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 import generate  # noqa: E402
 
 RUNS = 4  # of each machine, to look for what violates a proof
+# Every other machine runs in slices, between which the scenarios change inputs.
+SLICED = {"nc110": lambda slices: {"slices": slices},
+          "host50": lambda slices: {"SLICES": "SLICED", "SLOWDIV": slices}}
+
+
+def options_of(dialect, seed):
+    return SLICED[dialect](2 + seed % 5) if dialect in SLICED and seed % 2 == 1 else {}
 
 
 def tool(plcxx, directory, *arguments):
@@ -36,8 +43,10 @@ def check(plcxx, root, dialect, seed, options):
     (directory / source).write_text(machine.text())
     wanted = generate.properties(machine, options.properties)
     (directory / "m.prop").write_text("\n".join(wanted) + "\n")
+    machine_options = options_of(dialect, seed)
+    settings = [word for key, value in machine_options.items() for word in ("--set", f"{key}={value}")]
     ran = tool(plcxx, directory, "prove", source, "--dialect", dialect, "--property", "m.prop", "--time", options.time,
-               "--depth", "12", "--format", "json", "--counterexamples", "found")
+               "--depth", "12", "--format", "json", "--counterexamples", "found", *settings)
     verdicts = collections.Counter()
     if ran.returncode not in (0, 1) or not ran.stdout.startswith("{"):
         return [f"{directory}: prove: {ran.stderr or ran.stdout}"], verdicts
@@ -59,7 +68,7 @@ def check(plcxx, root, dialect, seed, options):
     names = []
     for run in range(RUNS if held else 0):
         names.append(f"run{run}.yaml")
-        (directory / names[-1]).write_text(generate.scenario(machine, source, held, rng, options.periods))
+        (directory / names[-1]).write_text(generate.scenario(machine, source, held, rng, options.periods, machine_options))
     if names:
         ran = tool(plcxx, directory, "test", "--engine", "sim", *names)
         if ran.returncode != 0:

@@ -3,7 +3,8 @@
 // Runs from power-on are searched, one period deeper each time, for one that violates it. Between two depths
 // k-induction is tried: from any state, k periods without a violation are followed by another one. When that fails,
 // invariants of the program are found and proved (prove/invariants) and assumed, then those that the property asks
-// for (reachable.h). The slow part is one piece here, however it is sliced. In: a structured program, a property. Out:
+// for (reachable.h). The slow part is one piece here, however it is sliced; what is proved of it is checked again slice
+// by slice by whoever knows the slices. In: a structured program, a property. Out:
 // a verdict. Not its job: words about it, replaying runs.
 #pragma once
 
@@ -34,6 +35,8 @@ class PropertyChecker {
  private:
   PropertyResult CheckInTime(const Property& property);
   bool TryInduction(const Property& property, uint32_t k, PropertyResult& result);
+  /// What is left of a proof with the slow part in one piece when inputs change between its slices.
+  void CheckInSlices(const Property& property, PropertyResult& result);
   /// Whether the property depends on what the fast part makes of more than inputs: in slices it runs in each of them.
   bool DependsOnFastPart(const Property& property);
   /// Whether a proved property says little: it speaks of what nothing changes, or of a case that does not come.

@@ -102,8 +102,12 @@ bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties:
   if (std::ranges::any_of(words, [](const scenarios::InputWord& word) { return word.name.empty(); })) return false;
   const ir::Program& program = machine.compilation.program;
   const ir::Schedule& schedule = program.schedule;
-  const std::string time = std::to_string(schedule.fast_ms != 0 ? schedule.fast_ms : schedule.period_ms);
-  const bool by_slow = machine.slices > 1;
+  const bool by_slices = machine.slices > 1 && !run.periods.empty() && run.periods.front().size() > 1;
+  const bool by_slow = machine.slices > 1 && !by_slices;
+  const uint32_t part_ms = by_slices               ? schedule.period_ms / machine.slices
+                           : schedule.fast_ms != 0 ? schedule.fast_ms
+                                                   : schedule.period_ms;
+  const std::string time = std::to_string(part_ms);
   // A scenario sets whole words: what the run does not name of them is as it was when power came.
   std::map<CellId, bool> now;
   for (const scenarios::InputWord& word : words) {
