@@ -53,6 +53,18 @@ TEST(ProvePlant, AViolationThatTheMachineShowsIsShownByIt) {
   EXPECT_EQ(planted.work.Run("test --engine sim found/property-1.yaml").code, 0);
 }
 
+// Air pressure, or a door: the program need not read what lets the machine move.
+TEST(ProvePlant, InputsThatThePlantAloneReadsAreSet) {
+  const Planted planted;
+  planted.work.Write("m.plant.yaml",
+                     "elements:\n- cylinder: {name: c, extend: U4A0 and I2A0, extend-time: 200 ms, extended: I0A6}\n");
+  const Ran ran = planted.Prove("never U4A2\n");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("the plant (m.plant.yaml) moves in this run"));
+  EXPECT_THAT(planted.work.Read("found/property-1.yaml"), HasSubstr("I2A0: 1"));
+  planted.ExpectShown();
+}
+
 TEST(ProvePlant, WhatOnlyInputsShowIsFoundWithoutThePlantAndSaidSo) {
   const Planted planted;
   const Ran ran = planted.Prove("never U4A1\n");

@@ -95,6 +95,13 @@ std::vector<CellId> ReadsOf(const scenarios::BoundPlant& plant, const scenarios:
   return reads;
 }
 
+void NameReadsOf(const scenarios::BoundPlant& plant, scenarios::ProveMachine& machine) {
+  for (size_t i = 0; i < plant.reads().size(); ++i) {
+    std::vector<CellId> cells = CellsAt(plant.reads()[i], machine);
+    if (!cells.empty()) machine.named.push_back({.name = plant.model().reads()[i].text, .cells = std::move(cells)});
+  }
+}
+
 std::vector<std::string> DrivenBesideInputs(const scenarios::BoundPlant& plant,
                                             const scenarios::ProveMachine& machine) {
   const std::vector<bool> inputs = prove::machine::InputsOf(machine.version);

@@ -62,6 +62,8 @@ class PropertyRuns {
 
 /// Where the plant reads and drives: cells of memory, each once. Ports of the control have none.
 std::vector<execute::CellId> ReadsOf(const scenarios::BoundPlant& plant, const scenarios::ProveMachine& machine);
+/// Notes what the plant reads: runs set it although the program itself may have no place there.
+void NameReadsOf(const scenarios::BoundPlant& plant, scenarios::ProveMachine& machine);
 /// What the plant drives beside inputs, as its file names it: a proof for all inputs says nothing of that.
 std::vector<std::string> DrivenBesideInputs(const scenarios::BoundPlant& plant, const scenarios::ProveMachine& machine);
 
