@@ -64,6 +64,30 @@ TEST_F(DiffCommand, RevisionsOfGit) {
   EXPECT_THAT(wrong.errors, HasSubstr("git has no version 'nowhere'"));
 }
 
+/// Each version has its own folders and files, however the command line names them.
+TEST_F(DiffCommand, RevisionsHaveTheirOwnFolders) {
+  std::filesystem::create_directory(place_.Path("inc"));
+  place_.Write("inc/k.h", "#define LIM 3\n");
+  place_.Write("a.cld",
+               "#include \"plc.h\"\n#include \"k.h\"\nstatic int c;\nvoid init() { plc1_time = 8; plc2_time = 16; }\n"
+               "void plc1() {}\nvoid plc2() { if (X[0] & 1) { if (++c >= LIM) { c = 0; Y[0] ^= 1; } } }\n");
+  const std::string commands =
+      "cd '" + place_.Path(".") +
+      "' && git init -q . && git add inc a.cld && git -c user.name=a -c user.email=none commit "
+      "-q -m one && sed -i 's/3/4/' inc/k.h";
+  ASSERT_EQ(std::system(commands.c_str()), 0);
+  for (const std::string& folder : {std::string("inc"), place_.Path("inc")}) {
+    for (const std::string& file : {std::string("a.cld"), place_.Path("a.cld")}) {
+      const Ran ran = place_.Run("diff --git HEAD.. '" + file + "' -I '" + folder + "' --time 5s");
+      EXPECT_EQ(ran.code, 1) << ran;
+      EXPECT_THAT(ran.out, HasSubstr("Y[0]"));
+    }
+  }
+  const Workplace elsewhere;
+  const Ran outside = place_.Run("diff --git HEAD.. a.cld -I inc -I '" + elsewhere.Path(".") + "' --time 5s");
+  EXPECT_THAT(outside.out, HasSubstr("not looked at: what other versions of folders outside of the repository had ("));
+}
+
 /// What a version does depends on the options with which its scenarios run it, whoever names its sources.
 TEST_F(DiffCommand, OptionsOfTheScenariosBesideTheProgram) {
   const auto scenario = [](const std::string& options) {

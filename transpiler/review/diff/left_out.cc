@@ -62,6 +62,20 @@ Parts PartsOf(const std::vector<CellId>& cells, const CellWords& words) {
   return parts;
 }
 
+/// By symbol of the sources: its address.
+std::map<std::string, std::string> AddressesOf(const ir::Program& program) {
+  constexpr std::string_view kBetween = ", ";
+  std::map<std::string, std::string> addresses;
+  for (const ir::Documentation& known : program.documentation) {
+    for (std::string_view rest = known.symbols; !rest.empty() && !known.address.empty();) {
+      const size_t end = std::min(rest.find(kBetween), rest.size());
+      addresses.emplace(rest.substr(0, end), known.address);
+      rest.remove_prefix(std::min(end + kBetween.size(), rest.size()));
+    }
+  }
+  return addresses;
+}
+
 }  // namespace
 
 void NameWhatOneVersionHas(const prove::diff::OneSided& one_sided, const CellWords& old_words,
@@ -139,6 +153,7 @@ void NameOtherNumbers(const prove::machine::Version& old_version, const prove::m
     const bool has_cells = !place.is_field() && !place.indexed && execute::IsInside(*version.program, place);
     return has_cells ? execute::CellsOf(*version.program, version.cells, place).front() : CellId();
   };
+  std::set<std::string> followed;  // symbols that are one variable in both
   std::map<std::string, const ir::Place*> addressed;
   for (const ir::Place& place : new_program.places) {
     if (!place.address.empty()) addressed.emplace(place.name, &place);
@@ -147,12 +162,24 @@ void NameOtherNumbers(const prove::machine::Version& old_version, const prove::m
     const auto found = place.address.empty() ? addressed.end() : addressed.find(place.name);
     if (found == addressed.end() || found->second->address == place.address) continue;
     const CellId from = first_cell(old_version, place), to = first_cell(new_version, *found->second);
-    if (from.valid() && to.valid() && match.new_of_old[from.index] == to)
-      pairs.push_back(place.name + " at " + place.address + " as at " + found->second->address);
+    if (!from.valid() || !to.valid() || match.new_of_old[from.index] != to) continue;
+    pairs.push_back(place.name + " at " + place.address + " as at " + found->second->address);
+    followed.insert(place.name);
   }
-  if (pairs.empty()) return;
-  diff.not_looked_at.push_back("what somebody finds who goes by numbers and addresses, where they are others now (" +
-                               support::Listed(pairs, kMostNamed) + ")");
+  if (!pairs.empty()) {
+    diff.not_looked_at.push_back("what somebody finds who goes by numbers and addresses, where they are others now (" +
+                                 support::Listed(pairs, kMostNamed) + ")");
+  }
+  std::vector<std::string> moved;
+  const std::map<std::string, std::string> after = AddressesOf(new_program);
+  for (const auto& [symbol, address] : AddressesOf(old_program)) {
+    const auto found = after.find(symbol);
+    if (found != after.end() && found->second != address && !followed.contains(symbol))
+      moved.push_back(symbol + " at " + address + ", now at " + found->second);
+  }
+  if (moved.empty()) return;
+  diff.not_looked_at.push_back("what somebody finds who goes by names, where they stand for others now (" +
+                               support::Listed(moved, kMostNamed) + ")");
 }
 
 void NameOptionsOfSimulation(const DiffSide& old_side, const DiffSide& new_side, Diff& diff) {

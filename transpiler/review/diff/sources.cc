@@ -276,6 +276,37 @@ std::optional<std::string> CopyRevision(const Git& git, const std::string& revis
   return std::nullopt;
 }
 
+/// The same path in a copy of the repository; none: it lies outside, where no revision has anything.
+std::optional<std::string> InCopy(const Git& git, const std::string& copy, const std::string& path) {
+  std::error_code error;
+  const fs::path inside = fs::weakly_canonical(fs::absolute(path), error).lexically_relative(git.top);
+  if (inside.empty() || *inside.begin() == "..") return std::nullopt;
+  return (fs::path(copy) / inside).lexically_normal().string();
+}
+
+/// What the command line names stands in the work tree; of a revision it is what the revision has there. Relative names
+/// of sources and options are looked for in the copy anyway. Gives the folders that lie outside.
+std::vector<std::string> TakeNamesOfCopy(const Git& git, const std::string& copy,
+                                         compilation::CompilationRequest& request) {
+  std::vector<std::string> outside;
+  for (std::vector<std::string>* const folders : {&request.include_directories, &request.system_include_directories}) {
+    for (std::string& folder : *folders) {
+      if (std::optional<std::string> own = InCopy(git, copy, folder)) {
+        folder = *std::move(own);
+      } else {
+        outside.push_back(folder);
+      }
+    }
+  }
+  const auto take_absolute = [&](std::string& path) {
+    if (!fs::path(path).is_absolute()) return;
+    if (std::optional<std::string> own = InCopy(git, copy, path)) path = *std::move(own);
+  };
+  for (std::string& source : request.sources) take_absolute(source);
+  for (auto& [name, value] : request.options) take_absolute(value);
+  return outside;
+}
+
 std::variant<DiffRequests, std::string> ResolveRevisions(const DiffWords& words,
                                                          const compilation::CompilationRequest& common) {
   const size_t dots = words.revisions.find("..");
@@ -304,6 +335,13 @@ std::variant<DiffRequests, std::string> ResolveRevisions(const DiffWords& words,
     requests.copies.push_back(std::make_unique<compile::TemporaryDirectory>());
     const std::string& copy = requests.copies.back()->path();
     if (std::optional<std::string> failed = CopyRevision(git, side.label, copy)) return *failed;
+    const std::vector<std::string> outside = TakeNamesOfCopy(git, copy, side.compilation);
+    if (is_old && !outside.empty()) {
+      std::string folders;
+      for (const std::string& folder : outside) folders += (folders.empty() ? "" : ", ") + folder;
+      requests.not_looked_at.push_back("what other versions of folders outside of the repository had (" + folders +
+                                       ")");
+    }
     side.compilation.base_directory = git.prefix.empty() ? copy : copy + "/" + git.prefix;
     while (side.compilation.base_directory.ends_with('/')) side.compilation.base_directory.pop_back();
     side.hidden_prefix = side.compilation.base_directory + "/";
