@@ -83,6 +83,7 @@ def main():
         (work / "bad.yaml").write_text(GOOD.replace("U4A0: 1, U4A1: 0", "U4A0: 0, U4A1: 0"))
         bad = mutate(work, "bad.yaml")
         expect(bad.returncode == 1 and "bad.yaml fails before anything is changed" in bad.stderr, "a failing scenario", bad)
+        expect("last writes to U4A0" in bad.stderr, "who wrote it is not told, though the simulator ran it", bad)
         (work / "none.yaml").write_text("dialect: nc110\nsources: [door.plc]\nwarnings: []\n")
         none = mutate(work, "none.yaml")
         expect(none.returncode == 2 and "nothing that could notice" in none.stderr, "no steps", none)

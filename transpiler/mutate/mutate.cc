@@ -68,7 +68,9 @@ class Mutation {
           for (const uint32_t item : items) {
             report.Begin(item);
             scenarios::Observation seen;
-            const std::string failure = RunScenario(item, seen);
+            scenarios::SuiteOptions options = InTheSimulator(seen);
+            options.explains = true;  // what fails here is told
+            const std::string failure = RunScenario(item, options);
             report.Done(item, failure.empty() ? "p" + Encode(seen) : "f" + failure);
           }
         },
@@ -95,10 +97,9 @@ class Mutation {
   }
 
   /// Why it does not pass; empty: it does.
-  std::string RunScenario(uint32_t scenario, scenarios::Observation& seen) const {
+  std::string RunScenario(uint32_t scenario, const scenarios::SuiteOptions& options) const {
     scenarios::ScenarioProgram program(request_.compilation);
-    const scenarios::TestCase test =
-        scenarios::TestScenario(request_.scenarios[scenario], InTheSimulator(seen), program).test;
+    const scenarios::TestCase test = scenarios::TestScenario(request_.scenarios[scenario], options, program).test;
     if (test.outcome == scenarios::TestOutcome::kPassed) return {};
     return test.text.empty() ? "it fails" : test.text;
   }
@@ -205,7 +206,7 @@ class Mutation {
     return std::ranges::any_of(scenarios, [&](uint32_t scenario) {
       scenarios::Observation seen;
       seen.most = MostOf(scenario);
-      return !RunScenario(scenario, seen).empty() || seen.stopped;
+      return !RunScenario(scenario, InTheSimulator(seen)).empty() || seen.stopped;
     });
   }
 
