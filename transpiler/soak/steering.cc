@@ -65,8 +65,10 @@ const Stimulus* PickOtherStep(const Known& known, terms::Random& random) {
 }
 
 void PutWord(Stimulus& stimulus, std::pair<std::string, std::string> word) {
-  const auto same = std::ranges::find(stimulus.words, word.first, &std::pair<std::string, std::string>::first);
-  if (same == stimulus.words.end()) {
+  // A scenario may set it several times before time passes; the last one counts.
+  const auto same = std::ranges::find(stimulus.words.rbegin(), stimulus.words.rend(), word.first,
+                                      &std::pair<std::string, std::string>::first);
+  if (same == stimulus.words.rend()) {
     stimulus.words.push_back(std::move(word));
   } else {
     *same = std::move(word);

@@ -1,6 +1,8 @@
 #include "transpiler/review/diff/stimulus.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 #include "transpiler/yaml/words.h"
 
@@ -72,7 +74,14 @@ void WrittenSteps::AddPowerCycle() {
 
 void WrittenSteps::AddSets(const std::vector<std::pair<std::string, std::string>>& words) {
   std::string assignments;
+  std::set<std::string_view> names;  // of this step
   for (const auto& [name, value] : words) {
+    // A step sets a location once, and the order matters: a text is sent twice, a bit is set after its byte.
+    if (!names.insert(name).second) {
+      scenario += "- set: {" + assignments + "}\n";
+      assignments.clear();
+      names = {name};
+    }
     AddTo(assignments, StepWord(name) + ": " + StepWord(value));
     AddTo(line, name + "=" + value);
   }

@@ -44,6 +44,7 @@ struct WrittenSteps {
   std::string scenario, line;
 
   void AddPowerCycle();
+  /// In one step, or in several where a location is set again: a step names each of them once.
   void AddSets(const std::vector<std::pair<std::string, std::string>>& words);
   /// Of `stimulus` what it sets by words, then its time.
   void Add(const Stimulus& stimulus);
