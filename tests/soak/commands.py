@@ -7,9 +7,11 @@ import filecmp
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 PLCXX, ROOT = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
 DOOR = """$
@@ -91,6 +93,129 @@ def with_a_plant(work):
     expect(merged.returncode == 2 and "another plant" in merged.stderr, "machines of two plants are merged", merged)
 
 
+# Conditions that chance hardly meets, and a scenario that sets one location twice before time passes.
+DEEP = """$
+U4A0 = [W0A1=77]*[W0A2=78]*[W0A3=79]
+U100K0 = [W0A2=1]*U100K1
+U100K1 = [W0A1=77]*[W0A2=78]
+"""
+TWICE = """dialect: nc110
+sources: [deep.plc]
+steps:
+- set: {W0A1: 77, W0A2: 1}
+- set: {W0A2: 78}
+- run: {slow: 1}
+- power_cycle: {}
+"""
+
+
+def test_passes(work, path, what):
+    ran = subprocess.run([PLCXX, "test", path, "--engine", "sim"], cwd=work, capture_output=True, text=True)
+    expect(ran.returncode == 0, what, ran)
+
+
+def what_is_kept(place):
+    """Runs that are kept are scenarios that can be read, whatever was there before; what cannot be read is named."""
+    work = place / "kept"
+    work.mkdir()
+    (work / "deep.plc").write_text(DEEP)
+    (work / "twice.yaml").write_text(TWICE)
+    deep = ["deep.plc", "-o", "deep"]
+    soak(work, *deep, "--for", "5min")
+    test_passes(work, "deep/corpus", "a kept run sets a location twice in a step")
+    reached = json.loads((work / "deep/soak.json").read_text())["reached"]
+    (work / "twice.yaml").unlink()
+    soak(work, *deep, "--for", "1s", "--seed", "9")
+    expect(json.loads((work / "deep/soak.json").read_text())["reached"] == reached, "the runs that were kept are lost")
+
+    # A symbol was renamed: runs of the other version say less, and it is told.
+    (work / "gate.sym").write_text("* A gate\nKOPEN = I0A0\nISOPEN = I0A2\nOPEN = U4A0\n")
+    (work / "gate.plc").write_text("$\n!OPEN = (!KOPEN + !OPEN)*/!ISOPEN\n")
+    gate = ["gate.sym", "gate.plc", "-o", "gate"]
+    soak(work, *gate, "--for", "10min")
+    expect(any("KOPEN" in run.read_text() for run in (work / "gate/corpus").iterdir()), "no run sets KOPEN")
+    for name in ("gate.sym", "gate.plc"):
+        (work / name).write_text((work / name).read_text().replace("KOPEN", "KOEFF"))
+    ran = soak(work, *gate, "--for", "10min")
+    expect("note: runs in 'gate/corpus' set what this program does not have" in ran.stderr and "'KOPEN'" in ran.stderr, "nothing is told", ran)
+    test_passes(work, "gate/corpus", "a kept run sets what is no more")
+
+    # What is no scenario is named, and stays.
+    (work / "gate/corpus/run-aaaa.yaml").write_text("garbage: [")
+    cut = next(path for path in (work / "gate/corpus").iterdir() if path.name != "run-aaaa.yaml")
+    cut.write_text(cut.read_text()[:60])
+    ran = soak(work, *gate, "--for", "1s")
+    for path in (work / "gate/corpus/run-aaaa.yaml", cut):
+        expect(f"'gate/corpus/{path.name}' is no run to begin with: " in ran.stderr and path.exists(), path.name, ran)
+
+    # Runs for which there was no time stay for the next time.
+    kept = sorted(path.name for path in (work / "deep/corpus").iterdir())
+    ran = soak(work, *deep, "--time", "1s", "--for", "1s", "--seed", "3")
+    expect(kept == sorted(path.name for path in (work / "deep/corpus").iterdir()), "runs have gone", ran)
+
+
+def what_is_in_the_way(place):
+    """It is told before the hours that would be lost, and a finding takes a free name."""
+    work = place / "way"
+    work.mkdir()
+    (work / "door.plc").write_text(DOOR)
+    (work / "door.prop").write_text(PROPERTIES)
+    long = ["door.plc", "--property", "door.prop", "--for", "100000h", "--time", "60s"]
+    (work / "page").mkdir()
+    (work / "page/coverage.html").write_text("mine")
+    (work / "corpus").mkdir()
+    (work / "corpus/corpus").write_text("a file")
+    (work / "file").write_text("a file")
+    (work / "read").mkdir()
+    for folder, words in (("page", "cannot write 'page/coverage.html': it is there already"), ("corpus", "corpus/corpus"),
+                          ("file", "file"), ("/proc/nowhere", "/proc/nowhere")):
+        began = time.monotonic()
+        ran = soak(work, *long, "-o", folder)
+        expect(ran.returncode == 2 and words in ran.stderr and time.monotonic() - began < 30, f"{folder} is not refused at once", ran)
+    expect(sorted(path.name for path in work.iterdir()) == ["corpus", "door.plc", "door.prop", "file", "page", "read"], "traces of a refused soak")
+    found = "property-never-u4a0-and-u4a1"
+    (work / "read" / f"{found}.yaml").write_text("mine")
+    ran = soak(work, "door.plc", "--property", "door.prop", "--for", "1min", "-o", "read")
+    expect(ran.returncode == 1 and f"read/{found}-2.yaml" in ran.stdout, "a finding has no other name", ran)
+    expect((work / "read" / f"{found}.yaml").read_text() == "mine", "a file of the user's is gone")
+
+    # It cannot be written at last, which nobody could know: the result is told all the same.
+    (work / "gone.sh").write_text(f'"{PLCXX}" soak door.plc --property door.prop --for 100000h --time 4s -o gone/deep &\n'
+                                  "sleep 2; echo x > gone; wait $!\n")
+    ran = subprocess.run(["bash", "gone.sh"], cwd=work, capture_output=True, text=True, timeout=120)
+    expect(ran.returncode == 2 and "cannot write" in ran.stderr and "never U4A0 and U4A1" in ran.stdout, "the result is not told", ran)
+
+
+def how_it_ends(place):
+    """A signal ends it as its time does, with everything kept; the time counts from the beginning."""
+    work = place / "ends"
+    work.mkdir()
+    (work / "door.plc").write_text(DOOR)
+    (work / "door.prop").write_text(PROPERTIES)
+    for name, number in (("interrupted", signal.SIGINT), ("ended", signal.SIGTERM)):
+        ran = subprocess.Popen([PLCXX, "soak", "door.plc", "--property", "door.prop", "--for", "100000h", "-o", name], cwd=work,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(4)
+        ran.send_signal(number)
+        out, errors = ran.communicate(timeout=60)
+        expect(ran.returncode == 1 and "never U4A0 and U4A1" in out and "ended by a signal" in out, f"{name}: {ran.returncode}\n{out}{errors}")
+        record = json.loads((work / name / "soak.json").read_text())
+        expect(record["ended_by_signal"] and not record["ended_by_time"] and record["corpus"], "the record of what was kept")
+        expect((work / name / "property-never-u4a0-and-u4a1.yaml").exists(), "the finding is not kept")
+
+    # What a fleet saw at last is looked at, too.
+    (work / "deep.plc").write_text(DEEP)
+    ran = soak(work, "door.plc", "--property", "door.prop", "--engine", "fleet", "--for", "100000h", "--time", "20s")
+    expect(ran.returncode == 1 and "the time was over" in ran.stdout, "what a fleet saw at last is lost", ran)
+    compiler = work / "slow.sh"
+    compiler.write_text("#!/bin/sh\nsleep 30\n")
+    compiler.chmod(0o755)
+    began = time.monotonic()
+    ran = soak(work, "door.plc", "--engine", "fleet", "--cxx", "./slow.sh", "--time", "2s")
+    expect(ran.returncode == 2 and "--time was over before its code was compiled" in ran.stderr and time.monotonic() - began < 20,
+           "the time does not count while the fleet is compiled", ran)
+
+
 def main():
     with tempfile.TemporaryDirectory() as place:
         work = pathlib.Path(place)
@@ -99,6 +224,9 @@ def main():
         door = ["door.plc", "--property", "door.prop"]
 
         with_a_plant(work)
+        what_is_kept(work)
+        what_is_in_the_way(work)
+        how_it_ends(work)
 
         # The same bytes, whatever runs at a time, and other ones by another seed.
         first = soak(work, *door, "--for", "20min", "-o", "one")
@@ -177,6 +305,19 @@ def main():
         expect(ran.returncode == 0, "a merged run does not find its program", ran)
         twice = soak(work, "--merge", "never", "shard-1", "shard-1")
         expect(twice.returncode == 2 and "twice" in twice.stderr, "a shard counts twice", twice)
+
+        # The same work without shards is no more work, either; with another seed it is.
+        soak(work, *door, "--for", "5min", "-o", "short")
+        for other in ("two", "short"):
+            ran = soak(work, "--merge", "never", "two", other)
+            expect(ran.returncode == 2 and "is there twice (seed 1, 16 machines" in ran.stderr, f"{other} counts again", ran)
+        ran = soak(work, "--merge", "both", "two", "one")
+        expect(ran.returncode == 1, "a soak that began with other runs is other work", ran)
+        soak(work, *door, "--for", "5min", "--seed", "2", "-o", "other-seed")
+        ran = soak(work, "--merge", "both", "short", "other-seed")
+        expect(ran.returncode == 1 and "of 32 machines" in ran.stdout, "another seed is other work", ran)
+        ran = soak(work, "--merge", "never", "both", "other-seed")
+        expect(ran.returncode == 2 and "is there twice (seed 2" in ran.stderr, "what was merged counts twice", ran)
 
         # The jobs of batch systems, as local processes: each knows its part from another variable.
         scripts = ROOT / "ci/soak"

@@ -125,6 +125,8 @@ class Transaction {
   ~Transaction();
 
   std::optional<WriteFailure> Run();
+  /// All of Run that can be undone.
+  std::optional<WriteFailure> Prepare();
 
  private:
   struct Replacement {
@@ -308,7 +310,7 @@ std::optional<WriteFailure> Transaction::FindSameName() const {
   return NamedTwice(names);
 }
 
-std::optional<WriteFailure> Transaction::Run() {
+std::optional<WriteFailure> Transaction::Prepare() {
   if (auto failure = FindSameName()) return failure;
   if (auto failure = MakeDirectory()) return failure;
   for (const emit::OutputFile& file : request_.files) {
@@ -318,6 +320,11 @@ std::optional<WriteFailure> Transaction::Run() {
     if (IsSpecial(file.name) || HasBytes(file.name, file.text)) continue;
     if (auto failure = WriteTemporary(file)) return failure;
   }
+  return std::nullopt;
+}
+
+std::optional<WriteFailure> Transaction::Run() {
+  if (auto failure = Prepare()) return failure;
   // Nothing takes this back; all that can fail before it has been done.
   for (const emit::OutputFile& file : request_.files) {
     if (!IsSpecial(file.name)) continue;
@@ -354,6 +361,11 @@ std::string PathIn(const std::string& directory, const std::string& name) {
 std::optional<WriteFailure> WriteAll(const OutputRequest& request) {
   const DelayedSignals delayed;  // ends after the transaction: what was begun is undone by then
   return Transaction(request).Run();
+}
+
+std::optional<WriteFailure> CannotWriteAll(const OutputRequest& request) {
+  const DelayedSignals delayed;
+  return Transaction(request).Prepare();
 }
 
 std::optional<WriteFailure> WriteWithFolders(const OutputRequest& request) {

@@ -45,6 +45,10 @@ std::optional<WriteFailure> WriteAll(const OutputRequest& request);
 /// The same with the folders that the files lie in.
 std::optional<WriteFailure> WriteWithFolders(const OutputRequest& request);
 
+/// Before the work whose result it shall write: what would fail of it now, tried and undone, in `directory` with the
+/// folders above it.
+std::optional<WriteFailure> CannotWriteAll(const OutputRequest& request);
+
 /// What can be known before the work whose result it shall get: there is a folder in the way, no folder that may be
 /// written to, or what is no file. The folders above it may be missing.
 std::optional<WriteFailure> CannotBeWritten(const std::string& path);

@@ -16,6 +16,8 @@ bool IsForeign(const std::string& path, std::string_view text);
 /// What a file of counterexamples begins with.
 inline constexpr std::string_view kDifferenceHead = "# U4A8 is 1 in the old version and 0 in the new one.";
 inline constexpr std::string_view kViolationHead = "# A run that violates the property";
+/// And a run that a soak has kept.
+inline constexpr const char* kKeptRunHead = "# Kept by plcxx soak: it reaches what no other run does.";
 
 /// "STEM.yaml", or "STEM_2.yaml" ... where a file of another kind than `head` has that name in the folder, or one of
 /// this run, which are in `taken`.

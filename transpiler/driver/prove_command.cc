@@ -336,7 +336,9 @@ void AddProve(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("prove", "Prove properties of the machine for all inputs and all scans");
   const auto settings = std::make_shared<ProveSettings>();
   AddCommonOptions(*command, settings->common);
-  command->add_option("--property", settings->files, "A file of properties, one a line; may stand several times")
+  command
+      ->add_option("--property", settings->files,
+                   "A file of properties, one a line, instead of those of plcxx.yaml; may stand several times")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->take_all();

@@ -1,7 +1,9 @@
 // plcxx soak: machine-hours with inputs that nobody meant.
 #include "transpiler/driver/soak_command.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -12,10 +14,12 @@
 
 #include "transpiler/driver/accepted_warnings.h"
 #include "transpiler/driver/diagnostics_output.h"
+#include "transpiler/driver/end_request.h"
 #include "transpiler/driver/engine_choice.h"
 #include "transpiler/driver/exit_codes.h"
 #include "transpiler/driver/jobs.h"
 #include "transpiler/driver/one_of.h"
+#include "transpiler/driver/own_files.h"
 #include "transpiler/driver/plant_choice.h"
 #include "transpiler/driver/program_output.h"
 #include "transpiler/driver/project_choice.h"
@@ -25,6 +29,7 @@
 #include "transpiler/driver/terminal.h"
 #include "transpiler/scenarios/known_runs.h"
 #include "transpiler/scenarios/property_machine.h"
+#include "transpiler/soak/kept_runs.h"
 #include "transpiler/soak/simulated_machines.h"
 
 namespace plcxx::driver {
@@ -36,7 +41,8 @@ do not end, messages that never go, outputs that never move. Each finding become
 program's side never writes; where they go is steered to statements and conditions that were not reached, beginning with
 the scenarios beside the program and with the runs that -o has kept of earlier times.
 
-The same seed, machines and hours give the same bytes, whatever --jobs is; with --time it depends on the machine.
+The same seed, machines and hours give the same bytes, whatever --jobs is; with --time it depends on the machine. Ctrl+C and
+SIGTERM end it as its time does, and all that was found is kept.
 
 Examples:
   plcxx soak                                           an hour of 16 machines of the program of the plcxx.yaml here
@@ -197,6 +203,7 @@ int ReadProgram(const SoakSettings& settings, ProgressLine& progress, SoakProgra
   return kDone;
 }
 
+using Instant = std::chrono::steady_clock::time_point;
 using SoakPlant = std::shared_ptr<const scenarios::BoundPlant>;  // none: nothing moves by itself
 
 /// `program` and `progress` outlive it.
@@ -213,36 +220,75 @@ soak::SoakRequest RequestOf(const SoakSettings& settings, const SoakWork& work, 
                             .every = work.shard.count,
                             .machine_ms = (work.length_ms * work.own() + work.machines - 1) / work.machines,
                             .end = {},
+                            .is_asked_to_end = EndRequest::IsMade,
                             .jobs = JobsOf(settings.jobs),
                             .seed = settings.seed,
                             .until = settings.until,
                             .directory = settings.directory,
+                            .is_taken = {},
                             .progress = [&progress](const std::string& text) { progress.Show(text); }};
-  if (!settings.directory.empty()) request.corpus = ReadCorpus(settings.directory);
-  if (plant) {
-    soak::LeaveToPlant(*plant, program.machine.compilation, request.scenarios);
-    soak::LeaveToPlant(*plant, program.machine.compilation, request.corpus);
+  // Scenarios of other programs may lie beside this one's.
+  soak::FitTo(program.machine.compilation, request.scenarios);
+  if (!settings.directory.empty()) {
+    request.is_taken = [directory = settings.directory](const std::string& name) {
+      return IsTakenByOther(directory, name);
+    };
   }
+  if (plant) soak::LeaveToPlant(*plant, program.machine.compilation, request.scenarios);
   return request;
 }
 
-/// False: reported.
-bool WriteSoaked(const SoakSettings& settings, const SoakProgram& program, const SoakPlant& plant,
-                 const soak::Soaked& soaked, const soak::Record& record) {
-  std::vector<emit::OutputFile> files;
-  for (const soak::Finding& finding : soaked.findings) files.push_back({finding.file, finding.yaml});
-  for (const soak::KeptRun& run : soaked.corpus) {
-    files.push_back(
-        {std::string(kSoakCorpus) + "/" + soak::CorpusName(run.stimuli),
-         soak::ScenarioOf(program.machine, program.chosen.request, plant.get(), CorpusFolder(settings.directory),
-                          "Kept by plcxx soak: it reaches what no other run does.", run.stimuli)});
-  }
+/// Files that were read, and are not written over.
+std::vector<std::string> ReadBy(const SoakSettings& settings, const SoakProgram& program) {
   std::vector<std::string> read = PathsRead(program.machine.compilation, settings.common);
   for (const std::string& path : program.chosen.files) read.push_back(path);
-  return WriteSoak(settings.directory, record, std::move(files), std::move(read));
+  return read;
+}
+
+/// The runs worth keeping as files; those that nothing would read again are left out, and told.
+std::vector<emit::OutputFile> FilesOfRuns(const SoakSettings& settings, const SoakProgram& program,
+                                          const SoakPlant& plant, soak::Soaked& soaked) {
+  std::vector<emit::OutputFile> files;
+  std::erase_if(soaked.corpus, [&](const soak::KeptRun& run) {
+    const std::string name = std::string(kSoakCorpus) + "/" + soak::CorpusName(run.stimuli);
+    const std::string folder = CorpusFolder(settings.directory);
+    std::string text = soak::ScenarioOf(program.machine, program.chosen.request, plant.get(), folder,
+                                        std::string(kKeptRunHead).substr(std::string("# ").size()), run.stimuli);
+    const std::string why = soak::WhyNotReadBack(program.machine, PathIn(settings.directory, name), text, run.stimuli);
+    if (!why.empty()) {
+      PrintNote("a run worth keeping is not written, what it reaches stays in the record: " + why);
+      return true;
+    }
+    files.push_back({name, std::move(text)});
+    return false;
+  });
+  return files;
+}
+
+/// With the fleet, if it is to be one. Not kDone: what is wrong is printed.
+int AddFleet(const SoakWork& work, const SoakProgram& program, const SoakPlant& plant, const soak::Goals& goals,
+             const soak::WatchPlan& plan, soak::SoakRequest& request) {
+  if (!work.is_fleet()) return kDone;
+  request.progress("compiling " + std::to_string(soak::kWideMachines) + " machines");
+  fleet::LibraryRequest library{.compiler = work.compiler};
+  if (request.end) {
+    const auto left = std::chrono::ceil<std::chrono::seconds>(*request.end - std::chrono::steady_clock::now());
+    library.seconds = static_cast<int>(std::clamp<int64_t>(left.count(), 1, std::numeric_limits<int>::max()));
+  }
+  auto wide = soak::CompileWide(program.machine.compilation, plant, goals, plan, library);
+  if (const auto* const failure = std::get_if<std::string>(&wide)) {
+    if (request.end && std::chrono::steady_clock::now() >= *request.end)
+      return UsageError(
+          "--engine fleet: --time was over before its code was compiled: give it more, or take --engine sim");
+    return UsageError("--engine fleet: " + *failure);
+  }
+  request.wide = std::get<std::shared_ptr<const soak::WideProgram>>(std::move(wide));
+  return kDone;
 }
 
 int RunSoak(const SoakSettings& asked) {
+  const Instant begin = std::chrono::steady_clock::now();
+  if (EndRequest::IsMade()) return UsageError("the next program is not run: a signal has ended the one before it");
   SoakSettings settings = asked;
   settings.directory = FolderOf(asked.common, asked.directory);
   const std::optional<SoakWork> work = WorkOf(settings);
@@ -258,25 +304,39 @@ int RunSoak(const SoakSettings& asked) {
   const soak::Inputs inputs(program.machine, plant->get());
   const soak::Goals goals(compilation.program);
   const soak::WatchPlan plan(program.machine, std::move(program.properties));
-  if (!settings.directory.empty() && !CanTakeRecord(settings.directory)) return kWrongUse;
+  const std::vector<std::string> read = ReadBy(settings, program);
+  if (!settings.directory.empty() && !CanTakeSoak(settings.directory, read)) return kWrongUse;
   soak::SoakRequest request = RequestOf(settings, *work, program, *plant, progress);
-  if (work->is_fleet()) {
-    progress.Show("compiling " + std::to_string(soak::kWideMachines) + " machines");
-    auto wide = soak::CompileWide(compilation, *plant, goals, plan, {.compiler = work->compiler});
-    if (const auto* const failure = std::get_if<std::string>(&wide)) return UsageError("--engine fleet: " + *failure);
-    request.wide = std::get<std::shared_ptr<const soak::WideProgram>>(std::move(wide));
+  Corpus corpus;
+  if (!settings.directory.empty()) {
+    progress.Clear();
+    corpus = ReadCorpus(settings.directory, compilation);
+    if (*plant) soak::LeaveToPlant(**plant, compilation, corpus.runs);
+    request.corpus = corpus.runs;
   }
-  if (work->time_ms) request.end = std::chrono::steady_clock::now() + std::chrono::milliseconds(*work->time_ms);
-  const soak::Soaked soaked = soak::Soak(request, goals, inputs, plan);
+  if (work->time_ms) request.end = begin + std::chrono::milliseconds(*work->time_ms);
+  if (const int code = AddFleet(*work, program, *plant, goals, plan, request); code != kDone) return code;
+  EndRequest end;
+  soak::Soaked soaked = soak::Soak(request, goals, inputs, plan);
+  end.IgnoreFurther();
   progress.Clear();
 
+  SoakOutput output{.files = {}, .protected_paths = read, .stays = std::move(corpus.unreadable)};
+  if (!settings.directory.empty()) output.files = FilesOfRuns(settings, program, *plant, soaked);
+  for (const soak::Finding& finding : soaked.findings) output.files.push_back({finding.file, finding.yaml});
+  for (size_t i = 0; i < soaked.repeated.size(); ++i) {
+    if (!soaked.repeated[i]) output.stays.insert(corpus.names[i]);
+  }
   soak::Record record = soak::MakeRecord(program.machine, soaked, goals, inputs, plan);
   record.seed = settings.seed;
   record.machines = work->own();
   if (*plant) record.plant = PlantName(**plant);
   if (!settings.shard.empty()) record.shards.insert(settings.shard);
-  if (!settings.directory.empty() && !WriteSoaked(settings, program, *plant, soaked, record)) return kWrongUse;
-  return TellSoak(record, settings.directory, settings.form);
+  record.works.insert(soak::WorkWords(record, request, plan));
+  const bool is_written = settings.directory.empty() || WriteSoak(settings.directory, record, std::move(output));
+  // What took hours is told even where it cannot be written.
+  const int code = TellSoak(record, is_written ? settings.directory : "", settings.form);
+  return is_written ? code : kWrongUse;
 }
 
 int RunSoakOrMerge(SoakSettings settings) {
@@ -311,14 +371,17 @@ void AddSoak(CLI::App& app, Run& run) {
       ->add_option("--for", settings->length,
                    "Machine-hours of all together, as in 100h, 30min or 90s: 1h, in a fleet 300h")
       ->type_name("TIME");
-  command->add_option("--time", settings->time, "Ends after so much real time, as in 60s or 8h")->type_name("TIME");
+  command->add_option("--time", settings->time, "Ends after so much real time from the start, as in 60s or 8h")
+      ->type_name("TIME");
   command->add_option("--until", settings->until, "Ends with a finding whose text has these words; '' takes any")
       ->type_name("TEXT");
   command->add_option("--seed", settings->seed, "What all chance is made of")
       ->type_name("N")
       ->default_str("1")
       ->check(CLI::Range(0L, std::numeric_limits<long>::max()));  // CLI11 takes "-1" for a very large number
-  command->add_option("--property", settings->files, "A file of properties, one a line; may stand several times")
+  command
+      ->add_option("--property", settings->files,
+                   "A file of properties, one a line, instead of those of plcxx.yaml; may stand several times")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->take_all();

@@ -9,15 +9,19 @@
 #include <variant>
 
 #include "transpiler/driver/exit_codes.h"
+#include "transpiler/driver/own_files.h"
 #include "transpiler/driver/soak_output.h"
 #include "transpiler/driver/terminal.h"
 #include "transpiler/scenarios/heading.h"
 #include "transpiler/scenarios/known_runs.h"
 #include "transpiler/scenarios/program.h"
+#include "transpiler/soak/kept_runs.h"
 #include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
 namespace {
+
+constexpr size_t kMostDropped = 10;  // words that are named
 
 std::string PathBelow(const std::string& directory, const std::string& name) {
   return (std::filesystem::path(directory) / name).generic_string();
@@ -33,33 +37,14 @@ bool IsKeptRun(const std::string& name) {
   return digits.size() == kDigits && digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-void RemoveRedundant(const std::string& directory, const soak::Record& record) {
+void RemoveRedundant(const std::string& directory, const soak::Record& record, const std::set<std::string>& stays) {
   std::error_code error;
   std::vector<std::filesystem::path> redundant;
   for (const auto& entry : std::filesystem::directory_iterator(CorpusFolder(directory), error)) {
     const std::string name = entry.path().filename().string();
-    if (IsKeptRun(name) && !record.corpus.contains(name)) redundant.push_back(entry.path());
+    if (IsKeptRun(name) && !record.corpus.contains(name) && !stays.contains(name)) redundant.push_back(entry.path());
   }
   for (const std::filesystem::path& path : redundant) std::filesystem::remove(path, error);
-}
-
-/// A scenario that the command wrote, as it has to be in another folder; none where its program is not there, or it is
-/// no scenario.
-std::optional<std::string> MovedScenario(const std::string& path, const std::string& directory) {
-  const std::optional<std::string> text = support::ReadFile(path);
-  if (!text) return std::nullopt;
-  const scenarios::ScenarioOrErrors read = scenarios::ReadScenario(path, scenarios::Reach::kAnywhere);
-  const auto* const scenario = std::get_if<scenarios::Scenario>(&read);
-  if (scenario == nullptr) return std::nullopt;
-  const compilation::CompilationRequest request = scenarios::RequestOf(*scenario, {});
-  const compilation::Compilation loaded = compilation::Compile(request, compilation::Stage::kLoaded);
-  if (!loaded.ok() || loaded.dialect == nullptr) return std::nullopt;
-  const size_t comment_end = text->find('\n');
-  const size_t properties = text->find("\nproperties:"), steps = text->find("\nsteps:");
-  const size_t rest = std::min(properties, steps);
-  if (comment_end == std::string::npos || rest == std::string::npos) return std::nullopt;
-  return text->substr(0, comment_end + 1) + scenarios::ScenarioHeading(loaded, request, directory) +
-         text->substr(rest + 1);
 }
 
 }  // namespace
@@ -77,10 +62,46 @@ std::vector<soak::Stimuli> StimuliOf(const std::vector<std::vector<scenarios::Kn
   return all;
 }
 
-std::vector<soak::Stimuli> ReadCorpus(const std::string& directory) {
-  return StimuliOf(scenarios::KnownRunsIn(CorpusFolder(directory), scenarios::Reach::kAnywhere));
+Corpus ReadCorpus(const std::string& directory, const compilation::Compilation& compilation) {
+  Corpus corpus;
+  const auto name_of = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+  const scenarios::RunFiles files = scenarios::ReadRunsIn(CorpusFolder(directory), scenarios::Reach::kAnywhere);
+  for (const scenarios::RunFiles::Unreadable& one : files.unreadable) {
+    corpus.unreadable.insert(name_of(one.path));
+    PrintNote("'" + one.path + "' is no run to begin with: " + one.error.message + "; repair or remove it");
+  }
+  std::vector<std::vector<scenarios::KnownStep>> runs;
+  for (const scenarios::RunFiles::Run& run : files.runs) {
+    corpus.names.push_back(name_of(run.path));
+    runs.push_back(run.steps);
+  }
+  corpus.runs = StimuliOf(runs);
+  const std::set<std::string> dropped = soak::FitTo(compilation, corpus.runs);
+  if (!dropped.empty()) {
+    std::string names;
+    size_t count = 0;
+    for (const std::string& name : dropped) {
+      if (++count <= kMostDropped) names += (names.empty() ? "'" : ", '") + name + "'";
+    }
+    if (count > kMostDropped) names += " and " + std::to_string(count - kMostDropped) + " more";
+    PrintNote("runs in '" + CorpusFolder(directory) +
+              "' set what this program does not have, or to values that it does " + "not take: " + names +
+              "; they are run without it, as runs of another version of the program");
+  }
+  return corpus;
 }
 
+bool IsTakenByOther(const std::string& directory, const std::string& name) {
+  const std::string path = PathBelow(directory, name);
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) return false;
+  return !std::filesystem::is_regular_file(status) || IsForeign(path, kKeptRunHead);
+}
+
+namespace {
+
+/// False: reported.
 bool CanTakeRecord(const std::string& directory) {
   const std::string path = PathBelow(directory, kSoakRecord);
   if (!CanBeWritten({path})) return false;
@@ -94,70 +115,44 @@ bool CanTakeRecord(const std::string& directory) {
   return false;
 }
 
-bool WriteSoak(const std::string& directory, const soak::Record& record, std::vector<emit::OutputFile> files,
-               std::vector<std::string> protected_paths) {
-  files.push_back({kSoakRecord, soak::ToJson(record)});
-  files.push_back({kSoakPage, SoakPage(record)});
+/// All of the files of a soak, as they are written.
+OutputRequest OutputOf(const std::string& directory, const soak::Record& record, SoakOutput soaked) {
+  soaked.files.push_back({kSoakRecord, soak::ToJson(record)});
+  soaked.files.push_back({kSoakPage, SoakPage(record)});
   OutputRequest output;
-  output.protected_paths = std::move(protected_paths);
-  for (emit::OutputFile& file : files) {
+  output.protected_paths = std::move(soaked.protected_paths);
+  for (emit::OutputFile& file : soaked.files) {
     file.name = PathBelow(directory, file.name);
     output.files.push_back(std::move(file));
   }
+  return output;
+}
+
+}  // namespace
+
+bool CanTakeSoak(const std::string& directory, const std::vector<std::string>& protected_paths) {
+  if (!CanTakeRecord(directory)) return false;
+  // A soak in which nothing was seen, and one run: what is in the way of these is in the way of any.
+  const std::string run = std::string(kSoakCorpus) + "/" + soak::CorpusName({});
+  OutputRequest output =
+      OutputOf(directory, {}, {.files = {{run, kKeptRunHead}}, .protected_paths = protected_paths, .stays = {}});
+  output.directory = CorpusFolder(directory);
+  const std::optional<WriteFailure> failure = CannotWriteAll(output);
+  if (failure) CannotWrite(*failure);
+  return !failure;
+}
+
+bool WriteSoak(const std::string& directory, const soak::Record& record, SoakOutput soaked) {
+  const std::set<std::string> stays = std::move(soaked.stays);
+  const OutputRequest output = OutputOf(directory, record, std::move(soaked));
   std::error_code none;  // what is wrong is told when the file is written
   std::filesystem::create_directories(CorpusFolder(directory), none);
   if (const std::optional<WriteFailure> failure = WriteAll(output)) {
     CannotWrite(*failure);
     return false;
   }
-  RemoveRedundant(directory, record);
+  RemoveRedundant(directory, record, stays);
   return true;
-}
-
-int MergeSoaks(const std::string& directory, const std::vector<std::string>& from, const std::string& form) {
-  std::optional<soak::Record> merged;
-  for (const std::string& folder : from) {
-    const std::string path = PathBelow(folder, kSoakRecord);
-    const std::optional<std::string> text = support::ReadFile(path);
-    if (!text) {
-      return UsageError("cannot read '" + path + "': is '" + folder + "' a folder that plcxx soak -o wrote?");
-    }
-    std::variant<soak::Record, std::string> read = soak::ReadRecord(*text);
-    std::string wrong;
-    if (const auto* const why = std::get_if<std::string>(&read)) {
-      wrong = *why;
-    } else if (!merged) {
-      merged = std::move(std::get<soak::Record>(read));
-    } else {
-      wrong = soak::AddRecord(*merged, std::get<soak::Record>(read));
-    }
-    if (!wrong.empty()) {
-      return UsageError("cannot merge '" + path + "': " + wrong);
-    }
-  }
-  std::vector<emit::OutputFile> files;
-  const auto take = [&](const std::string& name, const std::string& target) {
-    for (const std::string& folder : from) {
-      const std::string path = PathBelow(folder, name);
-      std::optional<std::string> text =
-          MovedScenario(path, std::filesystem::path(PathBelow(directory, target)).parent_path().generic_string());
-      if (!text) text = support::ReadFile(path);
-      if (!text) continue;
-      files.push_back({target, std::move(*text)});
-      return true;
-    }
-    PrintUsageError("'" + name + "' is in none of the folders");
-    return false;
-  };
-  for (const auto& [name, goals] : merged->corpus) {
-    const std::string path = std::string(kSoakCorpus) + "/" + name;
-    if (!take(path, path)) return kWrongUse;
-  }
-  for (const soak::FindingRecord& finding : merged->findings) {
-    if (!take(finding.file, finding.file)) return kWrongUse;
-  }
-  if (!WriteSoak(directory, *merged, std::move(files), {})) return kWrongUse;
-  return TellSoak(*merged, directory, form);
 }
 
 int TellSoak(const soak::Record& record, const std::string& directory, const std::string& form) {

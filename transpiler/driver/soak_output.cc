@@ -120,7 +120,9 @@ std::string SoakText(const soak::Record& record, const std::string& directory) {
                      (record.machines == 1 ? " machine" : " machines") + ", " + Digits(record.parts) + " scans, seed " +
                      std::to_string(record.seed);
   for (const std::string& shard : record.shards) text += ", shard " + shard;
-  text += record.out_of_time ? "; the time was over before the machine-hours\n" : "\n";
+  if (record.out_of_time) text += "; the time was over before the machine-hours";
+  if (record.was_asked_to_end) text += "; ended by a signal before the machine-hours were over";
+  text += "\n";
   if (record.findings.empty()) {
     text += "found: nothing\n";
   } else {

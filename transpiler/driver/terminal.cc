@@ -39,6 +39,8 @@ std::optional<unsigned> TerminalWidth(Stream stream) {
 
 void PrintUsageError(std::string_view text) { std::cerr << "plcxx: error: " << diag::EscapedLines(text) << '\n'; }
 
+void PrintNote(std::string_view text) { std::cerr << "plcxx: note: " << diag::EscapedLines(text) << '\n'; }
+
 int UsageError(std::string_view text) {
   PrintUsageError(text);
   return kWrongUse;

@@ -21,6 +21,9 @@ std::optional<unsigned> TerminalWidth(Stream stream);
 /// "plcxx: error: <text>" on standard error: faults of the command line, which have no place in a source.
 void PrintUsageError(std::string_view text);
 
+/// "plcxx: note: <text>" there: what the user should know of a command that goes on.
+void PrintNote(std::string_view text);
+
 /// Prints it; the exit code of a usage error, for commands that end with it.
 int UsageError(std::string_view text);
 

@@ -72,7 +72,8 @@ std::string Compile(const LibraryRequest& request, std::vector<std::string> comm
   // Beside its place first: another process may look for it meanwhile.
   const std::string made = place + "." + std::filesystem::path(directory.path()).filename().string();
   command.insert(command.end(), {"-I", directory.path(), "-o", made, directory.path() + "/fleet.cpp"});
-  const compile::ProcessResult result = compile::RunProcess(command, kMostCompileSeconds);
+  const compile::ProcessResult result = compile::RunProcess(
+      command, request.seconds != 0 ? std::min(request.seconds, kMostCompileSeconds) : kMostCompileSeconds);
   if (result.exit_code != 0)
     return "'" + request.compiler + "' cannot compile the code of a fleet:\n" + FirstLines(result.output);
   std::error_code error;

@@ -28,6 +28,7 @@ struct LibraryRequest {
   unsigned lanes = 0;       // 64, 256 or 512; 0: WidestFleet()
   bool forces = false;      // bits can be forced; stores cost more then
   std::string cache;        // a directory; empty: none
+  int seconds = 0;          // that the compiler may take; 0: as long as the largest programs need
 };
 
 /// What generated code calls; see runtime/machine.h.

@@ -45,8 +45,8 @@ std::vector<KnownStep> StepsOf(const std::vector<ScenarioStep>& steps) {
         known.push_back(std::exchange(next, {}));
       }
     } else if (std::holds_alternative<PowerCycleStep>(step.action)) {
-      // What was set before holds while the power is off.
-      if (!next.words.empty()) known.push_back(std::exchange(next, {}));
+      // What was set before holds while the power is off, and what the power cycle before this one did is done.
+      if (!next.words.empty() || next.power_cycle) known.push_back(std::exchange(next, {}));
       next.power_cycle = true;
     } else if (!std::holds_alternative<ExpectStep>(step.action) &&
                !std::holds_alternative<ExpectCallsStep>(step.action) &&
@@ -54,26 +54,37 @@ std::vector<KnownStep> StepsOf(const std::vector<ScenarioStep>& steps) {
       break;
     }
   }
+  // What power-on does needs no time. What is set at last does nothing.
+  if (next.power_cycle) known.push_back(std::move(next));
   return known;
 }
 
 }  // namespace
 
-std::vector<std::vector<KnownStep>> KnownRunsIn(const std::string& directory, Reach reach) {
-  std::vector<std::vector<KnownStep>> runs;
+std::vector<KnownStep> KnownStepsOf(const Scenario& scenario) {
+  return scenario.steps ? StepsOf(*scenario.steps) : std::vector<KnownStep>();
+}
+
+RunFiles ReadRunsIn(const std::string& directory, Reach reach) {
+  RunFiles files;
   for (const std::string& path : FindScenariosIn(directory)) {
     const ScenarioOrErrors read = ReadScenario(path, reach);
-    const auto* const scenario = std::get_if<Scenario>(&read);
-    if (scenario == nullptr || !scenario->steps) continue;
-    std::vector<KnownStep> steps = StepsOf(*scenario->steps);
-    if (!steps.empty()) runs.push_back(std::move(steps));
+    if (const auto* const errors = std::get_if<std::vector<ScenarioError>>(&read)) {
+      files.unreadable.push_back({path, errors->front()});
+      continue;
+    }
+    std::vector<KnownStep> steps = KnownStepsOf(std::get<Scenario>(read));
+    if (!steps.empty()) files.runs.push_back({path, std::move(steps)});
   }
-  return runs;
+  return files;
 }
 
 std::vector<std::vector<KnownStep>> KnownRuns(const compilation::CompilationRequest& request) {
   const std::filesystem::path source = std::filesystem::path(request.base_directory) / request.sources.front();
-  return KnownRunsIn(source.parent_path().string(), Reach::kProject);
+  std::vector<std::vector<KnownStep>> runs;
+  for (RunFiles::Run& run : ReadRunsIn(source.parent_path().string(), Reach::kProject).runs)
+    runs.push_back(std::move(run.steps));
+  return runs;
 }
 
 }  // namespace plcxx::scenarios

@@ -72,14 +72,14 @@ std::string ScenarioOf(const scenarios::ProveMachine& machine, const compilation
 
 Findings::Findings(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
                    const WatchPlan& plan, const MakeMachines& make, std::shared_ptr<const scenarios::BoundPlant> plant,
-                   std::string directory)
+                   FindingPlace place)
     : machine_(machine),
       request_(request),
       plan_(plan),
       machines_(make(1)),
       plant_(std::move(plant)),
       words_(machine.compilation),
-      directory_(std::move(directory)) {}
+      place_(std::move(place)) {}
 
 bool Findings::Shows(const Cause& cause, const Stimuli& stimuli) {
   if (machines_->Work(0) > most_work_) return false;
@@ -153,7 +153,8 @@ std::string Findings::NameOf(const Cause& cause) {
                                 : cause.kind == CauseKind::kMessage ? std::to_string(cause.number)
                                                                     : cause.text.substr(cause.text.find(' ') + 1));
   std::string name = stem + ".yaml";
-  for (int i = 2; !names_.insert(name).second; ++i) name = stem + "-" + std::to_string(i) + ".yaml";
+  const auto is_free = [this](const std::string& one) { return !(place_.is_taken && place_.is_taken(one)); };
+  for (int i = 2; !is_free(name) || !names_.insert(name).second; ++i) name = stem + "-" + std::to_string(i) + ".yaml";
   return name;
 }
 
@@ -162,7 +163,8 @@ std::optional<Finding> Findings::Describe(const Cause& cause, const Stimuli& sti
   most_work_ = ~uint64_t{0};
   if (!Shows(cause, stimuli)) return std::nullopt;
   most_work_ = machines_->Work(0) + kMostShortening;
-  Shortener shortener([&](const Stimuli& tried, Shortener::Time) { return Shows(cause, tried); },
+  Shortener shortener([&](const Stimuli& tried,
+                          Shortener::Time) { return !(place_.is_late && place_.is_late()) && Shows(cause, tried); },
                       Shortener::Time::max());
   const Stimuli shortened = shortener.Shorten(stimuli);
   Finding finding{.cause = cause, .steps = {}, .file = NameOf(cause), .yaml = {}, .not_shown = {}};
@@ -182,7 +184,7 @@ std::optional<Finding> Findings::Describe(const Cause& cause, const Stimuli& sti
       break;
   }
   std::ranges::replace(comment, '\n', ' ');
-  finding.yaml = ScenarioOf(machine_, request_, plant_.get(), directory_, comment, shortened);
+  finding.yaml = ScenarioOf(machine_, request_, plant_.get(), place_.directory, comment, shortened);
   if (cause.kind == CauseKind::kProperty) {
     const size_t at = finding.yaml.find("steps:\n");
     PLCXX_CHECK(at != std::string::npos);
@@ -202,7 +204,7 @@ std::optional<Finding> Findings::Describe(const Cause& cause, const Stimuli& sti
 void Findings::Confirm(Finding& finding) {
   // It would not end.
   if (finding.cause.kind == CauseKind::kEndless) return;
-  const std::string path = (std::filesystem::path(directory_) / finding.file).generic_string();
+  const std::string path = (std::filesystem::path(place_.directory) / finding.file).generic_string();
   scenarios::ScenarioOrErrors read = scenarios::ParseScenario(path, finding.yaml);
   if (const auto* errors = std::get_if<std::vector<scenarios::ScenarioError>>(&read)) {
     finding.not_shown = ToText(errors->front());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -18,12 +19,19 @@ struct Finding {
   std::string not_shown;  // not empty: the scenario does not show it, and why
 };
 
+/// Where scenarios will stand, and how long there is for them.
+struct FindingPlace {
+  std::string directory;
+  std::function<bool(const std::string& name)> is_taken;  // a file that is not replaced; may be empty
+  std::function<bool()> is_late;                          // then a run is not shortened any further; may be empty
+};
+
 class Findings {
  public:
-  /// All outlive the object. `plant`: of the machines that are made. `directory`: where scenarios will stand.
+  /// All outlive the object. `plant`: of the machines that are made.
   Findings(const scenarios::ProveMachine& machine, const compilation::CompilationRequest& request,
            const WatchPlan& plan, const MakeMachines& make, std::shared_ptr<const scenarios::BoundPlant> plant,
-           std::string directory);
+           FindingPlace place);
 
   /// None: a new machine does not show it.
   std::optional<Finding> Describe(const Cause& cause, const Stimuli& stimuli);
@@ -43,7 +51,7 @@ class Findings {
   std::unique_ptr<Machines> machines_;
   std::shared_ptr<const scenarios::BoundPlant> plant_;
   Words words_;
-  std::string directory_;
+  FindingPlace place_;
   std::set<std::string> names_;
   uint64_t most_work_ = 0;  // of the finding at hand
 };

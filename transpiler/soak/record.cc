@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "transpiler/ir/printer.h"
+#include "transpiler/support/counted.h"
 #include "transpiler/support/fnv1a.h"
 #include "transpiler/support/hex.h"
 
@@ -65,11 +66,13 @@ Json JsonOf(const Record& record) {
   json["seed"] = record.seed;
   json["machines"] = record.machines;
   json["shards"] = record.shards;
+  json["works"] = record.works;
   json["machine_ms"] = record.machine_ms;
   json["scans"] = record.parts;
   json["scans_in_fleet"] = record.wide_parts;
   json["steps"] = record.steps;
   json["ended_by_time"] = record.out_of_time;
+  json["ended_by_signal"] = record.was_asked_to_end;
   json["inputs"] = record.inputs;
   json["inputs_without_name"] = record.nameless;
   if (!record.plant.empty()) {
@@ -125,6 +128,17 @@ Json JsonOf(const Record& record) {
   return json;
 }
 
+std::string SeedAndMachines(const Record& record) {
+  std::string text = "seed " + std::to_string(record.seed) + ", " + support::Counted(record.machines, "machine");
+  for (const std::string& shard : record.shards) text += ", shard " + shard;
+  return text;
+}
+
+std::string WorkCounted(const Record& record) {
+  return SeedAndMachines(record) + ", " + std::to_string(record.machine_ms) + " ms, " + std::to_string(record.parts) +
+         " scans, " + std::to_string(record.steps) + " steps";
+}
+
 /// Throws what nlohmann_json throws; not empty: what is wrong.
 std::string ReadFrom(const Json& json, Record& record) {
   if (json.at("plcxx_soak") != kVersion) return std::string(kOfAnotherVersion);
@@ -138,12 +152,15 @@ std::string ReadFrom(const Json& json, Record& record) {
   record.wide_parts = json.value("scans_in_fleet", uint64_t{0});
   record.steps = json.at("steps");
   record.out_of_time = json.at("ended_by_time");
+  record.was_asked_to_end = json.value("ended_by_signal", false);
   record.inputs = json.at("inputs");
   record.nameless = json.at("inputs_without_name");
   record.plant = json.value("plant", "");
   record.driven = json.value("inputs_of_plant", size_t{0});
   record.nameless_outputs = json.at("outputs_without_name");
   record.properties = json.at("properties");
+  // Earlier records do not have it: there the same is only what is equal in all that was counted.
+  record.works = json.value("works", std::set<std::string>{WorkCounted(record)});
   record.more = json.at("more_findings").get<std::set<std::string>>();
   record.not_repeated = json.at("not_repeated").get<std::vector<std::string>>();
   for (const Json& one : json.at("findings")) {
@@ -216,6 +233,7 @@ Record MakeRecord(const scenarios::ProveMachine& machine, const Soaked& soaked, 
   record.wide_parts = soaked.wide_parts;
   record.steps = soaked.steps;
   record.out_of_time = soaked.out_of_time;
+  record.was_asked_to_end = soaked.was_asked_to_end;
   record.inputs = inputs.all().size();
   record.nameless = inputs.nameless();
   record.driven = inputs.driven();
@@ -262,6 +280,16 @@ Record MakeRecord(const scenarios::ProveMachine& machine, const Soaked& soaked, 
   return record;
 }
 
+std::string WorkWords(const Record& record, const SoakRequest& request, const WatchPlan& plan) {
+  std::string all;
+  for (const std::vector<Stimuli>* const runs : {&request.corpus, &request.scenarios}) {
+    for (const Stimuli& run : *runs) all += CorpusName(run) + "\n";
+    all += "\n";
+  }
+  for (const prove::properties::Property& property : plan.properties()) all += property.text + "\n";
+  return SeedAndMachines(record) + (request.wide ? ", in a fleet" : "") + ", begins with " + Hash64(all);
+}
+
 std::string ToJson(const Record& record) {
   return JsonOf(record).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -286,12 +314,18 @@ std::string AddRecord(Record& record, const Record& other) {
   for (const std::string& shard : other.shards) {
     if (!record.shards.insert(shard).second && record.seed == other.seed) return "shard " + shard + " is there twice";
   }
+  for (const std::string& work : other.works) {
+    if (!record.works.insert(work).second)
+      return "the same work is there twice (" + work +
+             "), and looked at nothing new; leave out the shorter of both, or " + "give one of them another --seed";
+  }
   record.machines += other.machines;
   record.machine_ms += other.machine_ms;
   record.parts += other.parts;
   record.wide_parts += other.wide_parts;
   record.steps += other.steps;
   record.out_of_time = record.out_of_time || other.out_of_time;
+  record.was_asked_to_end = record.was_asked_to_end || other.was_asked_to_end;
   record.reached.Add(other.reached);
   for (const auto& [name, goals] : other.corpus) record.corpus.emplace(name, goals);
   std::vector<std::string> names;

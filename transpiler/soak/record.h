@@ -50,9 +50,12 @@ struct Record {
   uint64_t seed = 1;
   uint32_t machines = 0;
   std::set<std::string> shards;  // "1/2"; none: it was the whole
+  /// What each soak in it was, in words that are the same where the same machines did the same: see WorkWords.
+  std::set<std::string> works;
   uint64_t machine_ms = 0, parts = 0, steps = 0;
   uint64_t wide_parts = 0;  // of the parts: in a fleet
   bool out_of_time = false;
+  bool was_asked_to_end = false;
   std::string plant;  // the file that moves the machine; empty: none does
   size_t inputs = 0, nameless = 0, driven = 0, nameless_outputs = 0;
   size_t properties = 0;
@@ -74,6 +77,10 @@ std::string CorpusName(const Stimuli& stimuli);
 /// But for what the command line says: shards, machines, seed.
 Record MakeRecord(const scenarios::ProveMachine& machine, const Soaked& soaked, const Goals& goals,
                   const Inputs& inputs, const WatchPlan& plan);
+
+/// What decides which inputs chance chooses, but for the program and the plant: two soaks of the same words did the
+/// same, as far as the shorter one went. The record has seed, machines and shards.
+std::string WorkWords(const Record& record, const SoakRequest& request, const WatchPlan& plan);
 
 std::string ToJson(const Record& record);
 /// What is wrong with a record that another version wrote.

@@ -12,6 +12,10 @@ constexpr size_t kMostEntries = 300;  // moments in memory
 constexpr uint64_t kTrialMs = 120'000;
 constexpr size_t kMostFindings = 100;
 constexpr int kMostRefuted = 10;  // runs of one cause that do not repeat
+/// Whether more is begun when the time is over.
+enum class WhenLate : uint8_t { kStop, kGoOn };
+/// For what was found at last, once it is late: who ends a job by a signal does not wait for long.
+constexpr std::chrono::seconds kGrace{3};
 /// A message that stood so long, while inputs changed so often, and never went.
 constexpr uint64_t kStoodMs = 10 * 60'000, kStoodSteps = 300;
 
@@ -40,7 +44,9 @@ class Generations {
                .standing = {},
                .gone = {},
                .causes = {}},
-        findings_(request.machine, request.request, plan, request.make, request.plant, request.directory),
+        findings_(
+            request.machine, request.request, plan, request.make, request.plant,
+            {.directory = request.directory, .is_taken = request.is_taken, .is_late = [this] { return IsOverdue(); }}),
         given_(plan.program().insts.size()) {
     soaked_.outputs.ones.resize(plan.outputs().size());
     soaked_.outputs.zeros.resize(plan.outputs().size());
@@ -58,10 +64,12 @@ class Generations {
   }
 
   Soaked Run() {
-    RunAsTheyAre(request_.corpus);
+    soaked_.repeated = RunAsTheyAre(request_.corpus);
     RunAsTheyAre(request_.scenarios);
     while (soaked_.machine_ms < request_.machine_ms && !Late() && !soaked_.is_found) RunGeneration();
-    soaked_.out_of_time = soaked_.machine_ms < request_.machine_ms && !soaked_.is_found;
+    const bool is_short = soaked_.machine_ms < request_.machine_ms && !soaked_.is_found;
+    soaked_.was_asked_to_end = is_short && IsAskedToEnd();
+    soaked_.out_of_time = is_short && !soaked_.was_asked_to_end;
     LookForMessages();
     // What was found to stand for long may have gone at last.
     std::erase_if(soaked_.findings, [this](const Finding& finding) {
@@ -72,12 +80,22 @@ class Generations {
   }
 
  private:
-  bool Late() const { return request_.end && std::chrono::steady_clock::now() >= *request_.end; }
+  bool IsAskedToEnd() const { return request_.is_asked_to_end && request_.is_asked_to_end(); }
+  bool Late() const { return IsAskedToEnd() || (request_.end && std::chrono::steady_clock::now() >= *request_.end); }
 
-  void RunAsTheyAre(const std::vector<Stimuli>& runs) {
-    if (runs.empty()) return;
-    RunAll(runs.size(),
-           [&](size_t i, Words& words) { return std::make_unique<Trial>(known_, words, nullptr, runs[i]); });
+  /// Whether it has been late for so long that runs are not shortened any further.
+  bool IsOverdue() {
+    if (!Late()) return false;
+    const std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
+    if (!late_since_) late_since_ = now;
+    return now - *late_since_ >= kGrace;
+  }
+
+  /// Which of them were run.
+  std::vector<bool> RunAsTheyAre(const std::vector<Stimuli>& runs) {
+    if (runs.empty()) return {};
+    return RunAll(runs.size(),
+                  [&](size_t i, Words& words) { return std::make_unique<Trial>(known_, words, nullptr, runs[i]); });
   }
 
   uint64_t ChanceOfMachine(uint64_t number) const {
@@ -88,7 +106,8 @@ class Generations {
     const uint64_t left = request_.machine_ms - soaked_.machine_ms;
     const uint64_t each = std::min(kTrialMs, (left + request_.machines - 1) / request_.machines);
     if (request_.wide) {
-      RunWide(each);
+      // Long waits are not cut to the time of a generation: what waits for them would never be seen.
+      RunWide(each, (left + request_.machines - 1) / request_.machines);
     } else {
       RunAll(request_.machines,
              [&](size_t i, Words& words) { return std::make_unique<Trial>(known_, words, ChanceOfMachine(i), each); });
@@ -97,10 +116,10 @@ class Generations {
     if (request_.until) LookForMessages();
   }
 
-  void RunWide(uint64_t each) {
+  void RunWide(uint64_t each, uint64_t left) {
     Prepare();
     const std::vector<std::optional<WideResult>> results =
-        InThreads<WideResult>(request_.machines / kWideMachines, [&](size_t i, size_t job) {
+        InThreads<WideResult>(request_.machines / kWideMachines, WhenLate::kStop, [&](size_t i, size_t job) {
           const uint64_t first = i * kWideMachines;
           const uint64_t chance =
               ChanceOf(~request_.seed, request_.first_machine + i * request_.every, soaked_.generations);
@@ -108,6 +127,7 @@ class Generations {
                                  {.run = chance,
                                   .of_machine = [&](uint32_t machine) { return ChanceOfMachine(first + machine); },
                                   .most_ms = each,
+                                  .left_ms = left,
                                   .is_late = [this] { return Late(); }});
         });
     std::vector<const Promise*> promises;
@@ -120,18 +140,23 @@ class Generations {
       soaked_.steps += result->steps;
       for (const Promise& promise : result->promises) promises.push_back(&promise);
     }
-    RunAll(promises.size(), [&](size_t i, Words& words) {
-      return std::make_unique<Trial>(known_, words, promises[i]->from, promises[i]->stimuli);
-    });
+    // Late or not: without them those scans would count, and what they came to would be lost. They are few.
+    RunAll(
+        promises.size(),
+        [&](size_t i, Words& words) {
+          return std::make_unique<Trial>(known_, words, promises[i]->from, promises[i]->stimuli);
+        },
+        WhenLate::kGoOn);
   }
 
   /// What `make(i, job)` gives, by i; none of those for which there was no time.
   template <class Result, class Make>
-  std::vector<std::optional<Result>> InThreads(size_t count, const Make& make) {
+  std::vector<std::optional<Result>> InThreads(size_t count, WhenLate when_late, const Make& make) {
     std::vector<std::optional<Result>> results(count);
     std::atomic<size_t> next = 0;
     const auto work = [&](size_t job) {
-      for (size_t i = next++; i < count && !Late(); i = next++) results[i] = make(i, job);
+      for (size_t i = next++; i < count && (when_late == WhenLate::kGoOn || !Late()); i = next++)
+        results[i] = make(i, job);
     };
     std::vector<std::thread> threads;
     for (size_t job = 1; job < machines_.size(); ++job) threads.emplace_back(work, job);
@@ -140,19 +165,24 @@ class Generations {
     return results;
   }
 
+  /// Which of them were run.
   template <class MakeTrial>
-  void RunAll(size_t count, const MakeTrial& make) {
+  std::vector<bool> RunAll(size_t count, const MakeTrial& make, WhenLate when_late = WhenLate::kStop) {
     Prepare();
-    std::vector<std::optional<TrialResult>> results = InThreads<TrialResult>(count, [&](size_t i, size_t job) {
-      const std::unique_ptr<Trial> trial = make(i, *words_[job]);
-      Trial* const one = trial.get();
-      RunTrials(*machines_[job], {&one, 1});
-      return trial->Take();
-    });
+    std::vector<std::optional<TrialResult>> results =
+        InThreads<TrialResult>(count, when_late, [&](size_t i, size_t job) {
+          const std::unique_ptr<Trial> trial = make(i, *words_[job]);
+          Trial* const one = trial.get();
+          RunTrials(*machines_[job], {&one, 1});
+          return trial->Take();
+        });
+    std::vector<bool> were_run;
     for (std::optional<TrialResult>& result : results) {
+      were_run.push_back(result.has_value());
       if (result) Merge(*result);
     }
     Tell();
+    return were_run;
   }
 
   void Prepare() {
@@ -294,6 +324,7 @@ class Generations {
   std::vector<uint8_t> given_;                             // by all
   std::map<uint32_t, std::shared_ptr<const Entry>> came_;  // by message
   std::map<std::string, int> refuted_;
+  std::optional<std::chrono::steady_clock::time_point> late_since_;  // as far as anybody asked
   Soaked soaked_;
 };
 

@@ -35,10 +35,12 @@ struct SoakRequest {
   uint32_t first_machine = 0, every = 1;               // their numbers: the first, and so many on from each to the next
   uint64_t machine_ms = 0;                             // of all of them together
   std::optional<std::chrono::steady_clock::time_point> end;
+  std::function<bool()> is_asked_to_end;  // as if it were late; from several threads; may be empty
   uint32_t jobs = 1;
   uint64_t seed = 1;
   std::optional<std::string> until;                       // ends with a finding whose text has these words
   std::string directory;                                  // where findings will stand
+  std::function<bool(const std::string& name)> is_taken;  // a file there that no finding may replace; may be empty
   std::function<void(const std::string& text)> progress;  // may be empty
 };
 
@@ -54,12 +56,14 @@ struct Soaked {
   std::set<std::string> more;                               // causes of further findings, which are only counted
   GoalSet reached;
   std::vector<KeptRun> corpus;
+  std::vector<bool> repeated;  // which of SoakRequest::corpus: for the others there was no time
   std::map<uint32_t, MessageLife> messages;
   OutputLife outputs;
   uint64_t machine_ms = 0, parts = 0, steps = 0, generations = 0;
-  uint64_t wide_parts = 0;   // of the parts: in wide runs
-  bool is_found = false;     // what SoakRequest::until names
-  bool out_of_time = false;  // of real time, before the machine-hours were over
+  uint64_t wide_parts = 0;        // of the parts: in wide runs
+  bool is_found = false;          // what SoakRequest::until names
+  bool out_of_time = false;       // of real time, before the machine-hours were over
+  bool was_asked_to_end = false;  // before they were
 };
 
 Soaked Soak(const SoakRequest& request, const Goals& goals, const Inputs& inputs, const WatchPlan& plan);

@@ -109,6 +109,9 @@ class WideMachines::Herd {
       if (common.slow == 0 && common.fast == 0 && common.ms == 0) ChooseTime(known, random, common);
       common.power_cycle = common.power_cycle || random.OneIn(kMostSteps);
       common = AsItHappens(std::move(common), known.plan.program().schedule);
+      const uint64_t period = std::max(1U, known.plan.program().schedule.period_ms);
+      const uint64_t left = request.left_ms - std::min(request.left_ms, result.machine_ms / kWideMachines);
+      if (common.ms > left) common.ms = static_cast<uint32_t>((left + period - 1) / period * period);
       steps_.push_back(common);
       if (common.power_cycle) time_ms = 0;
       const sim::Step ended = Step(known, words, start.sought, follows, common);

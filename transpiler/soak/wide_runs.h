@@ -56,7 +56,8 @@ struct WideResult {
 struct WideRequest {
   uint64_t run = 0;                                      // the chance of what all machines have in common
   std::function<uint64_t(uint32_t machine)> of_machine;  // and of each of them
-  uint64_t most_ms = 0;                                  // of each machine's time
+  uint64_t most_ms = 0;                                  // of each machine's time: then no other step begins
+  uint64_t left_ms = ~uint64_t{0};                       // of it until the soak is over: no step goes further
   std::function<bool()> is_late;                         // no real time is left; may be empty
 };
 

@@ -1,0 +1,48 @@
+#include "transpiler/driver/end_request.h"
+
+#include <signal.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+
+namespace plcxx::driver {
+namespace {
+
+constexpr std::array kRequests = {SIGINT, SIGTERM, SIGHUP};
+std::array<struct sigaction, kRequests.size()> actions_before;
+std::atomic<bool> is_requested = false, are_ignored = false;
+
+/// System calls and atomic values only: it is a signal handler.
+void TakeRequest(int signal) {
+  if (!is_requested.exchange(true) || are_ignored) return;
+  for (size_t i = 0; i < kRequests.size(); ++i) {
+    if (kRequests[i] != signal) continue;
+    sigaction(signal, &actions_before[i], nullptr);
+    raise(signal);  // as soon as this handler returns
+  }
+}
+
+}  // namespace
+
+EndRequest::EndRequest() {
+  are_ignored = false;
+  struct sigaction action = {};
+  action.sa_handler = TakeRequest;
+  action.sa_flags = SA_RESTART;
+  for (size_t i = 0; i < kRequests.size(); ++i) {
+    sigaction(kRequests[i], nullptr, &actions_before[i]);
+    // What the caller wants to be ignored stays so: nohup does.
+    if (actions_before[i].sa_handler != SIG_IGN) sigaction(kRequests[i], &action, nullptr);
+  }
+}
+
+EndRequest::~EndRequest() {
+  for (size_t i = 0; i < kRequests.size(); ++i) sigaction(kRequests[i], &actions_before[i], nullptr);
+}
+
+bool EndRequest::IsMade() { return is_requested; }
+
+void EndRequest::IgnoreFurther() { are_ignored = true; }
+
+}  // namespace plcxx::driver
