@@ -42,13 +42,14 @@ class Bench:
         shutil.copy(os.path.join(HERE, "changed.plc"), self.path("turret.plc"))
         run([plcxx, "build", "turret.plc", "--target", target.name, "--quiet", "-o", "built"], cwd=directory)
         run(self.compiler + FLAGS + ["-I", self.path("built"), "-S", self.path("built/turret.cpp"), "-o", self.path("turret.s")])
-        open(self.path("frame.s"), "w").write(target.start + target.keeps)
+        open(self.path("frame.s"), "w").write(target.start + target.keeps + target.interrupts)
         open(self.path("script.ld"), "w").write(f"""
 ENTRY(entry)
 MEMORY {{ {target.memory} DATA (rw) : ORIGIN = {target.data}, LENGTH = 1M }}
 SECTIONS {{
   .text : {{ KEEP(*(.vectors)) *(.text*) *(.rodata*) *(.srodata*) . = ALIGN(16); }} > RAM
-  .bss (NOLOAD) : {{ *(.sbss*) *(.bss*) *(COMMON) . = ALIGN(16); . += 65536; judge_stack = .; }} > DATA
+  .bss : {{ __global_pointer$ = . + 0x100; *(.sdata*) *(.sbss*) *(.data*) *(.bss*) *(COMMON)
+           . = ALIGN(16); . += 65536; judge_stack = .; }} > DATA
   /DISCARD/ : {{ *(.ARM.exidx*) *(.ARM.extab*) *(.eh_frame*) *(.comment) }}
 }}
 """)
@@ -79,10 +80,11 @@ SECTIONS {{
         if os.path.exists(self.path("results")):
             os.remove(self.path("results"))
         run(self.compiler + [self.path("states.o"), self.path("frame.s"), self.path("changed.o"), "-nostdlib", "-T",
-                             self.path("script.ld"), "-Wl,--no-warn-rwx-segments", "-Wl,--no-relax", "-lgcc", "-o",
+                             self.path("script.ld"), "-Wl,--no-warn-rwx-segments", "-lgcc", "-o",
                              self.path("changed.elf")])
         try:
-            subprocess.run(self.target.emulator + ["-nodefaults", "-display", "none", "-semihosting-config",
+            # Its clock counts instructions: interrupts come between the same ones in each run.
+            subprocess.run(self.target.emulator + ["-icount", "shift=3,sleep=off", "-nodefaults", "-display", "none", "-semihosting-config",
                                                    "enable=on,target=native", "-kernel", self.path("changed.elf")],
                            capture_output=True, timeout=20)
         except subprocess.TimeoutExpired:

@@ -26,6 +26,11 @@ def mnemonics(*pairs):
     return rf"\t({'|'.join(re.escape(a) for a in table)})(\t.*)", name(table)
 
 
+def lines(*all):
+    """A line for several."""
+    return "\n".join("\t" + one.replace(" ", "\t", 1) if not one.endswith(":") else one for one in all)
+
+
 def another_function(m):
     """The same call, m[1], of another function than m[2]."""
     return f"\t{m[1]}\t" + {
@@ -62,6 +67,18 @@ RISCV = [
     ("another register restored", r"\tlw\t(s0|ra),(\d+\(sp\))", lambda m: f"\tlw\t{'s1' if m[1] == 's0' else 's0'},{m[2]}"),
     ("saved below the stack", r"\tsw\t(\w+),(\d+)\(sp\)", lambda m: f"\tsw\t{m[1]},-{m[2]}(sp)"),
     ("a kept register used", r"\tli\t(a[45]),(.*)", lambda m: f"\tli\ts5,{m[2]}\n\tmv\t{m[1]},s5"),
+    ("another stack pointer at a call", r"\tcall\t(.*(?:now_ms|memset).*)",
+     lambda m: lines("addi sp,sp,-4", "call " + m[1], "addi sp,sp,4")),
+    ("another global pointer at a call", r"\tcall\t(.*now_ms.*)",
+     lambda m: lines("addi sp,sp,-16", "sw gp,0(sp)", "li gp,5", "call " + m[1], "lw gp,0(sp)", "addi sp,sp,16")),
+    ("another thread pointer at a call", r"\tcall\t(.*now_ms.*)",
+     lambda m: lines("addi sp,sp,-16", "sw tp,0(sp)", "li tp,5", "call " + m[1], "lw tp,0(sp)", "addi sp,sp,16")),
+    ("a label called as the library's function", r"\tcall\tmemset",
+     lambda m: lines("call memset", '.pushsection .text.judge,"ax"', "memset:", "ret", ".popsection")),
+    ("bytes that the linker takes away", r"\tand\t(a[2-5]),\1,(a[2-5])",
+     lambda m: lines(".reloc ., R_RISCV_ALIGN, 2", f"and {m[1]},{m[1]},{m[2]}")),
+    ("a word below the stack", r"\tand\t(a[2-5]),\1,(a[2-5])",
+     lambda m: lines(f"and {m[1]},{m[1]},{m[2]}", "addi t3,sp,-8", f"sw {m[1]},0(t3)", "j 1f", "1:", f"lw {m[1]},0(t3)")),
 ]
 
 ARM = [
@@ -96,6 +113,15 @@ ARM = [
     ("a list without a register", r"\t(push|pop|ldm\w*|stm\w*)\t(.*)\{(\w+), (.*)\}(.*)", lambda m: f"\t{m[1]}\t{m[2]}{{{m[4]}}}{m[5]}"),
     ("another list", r"\t(push|pop|ldm\w*|stm\w*)\t(.*)\{(.*)r4(.*)\}(.*)", lambda m: f"\t{m[1]}\t{m[2]}{{{m[3]}r8{m[4]}}}{m[5]}"),
     ("a kept register used", r"\tmovs?\t(r[0-3]), #(.*)", lambda m: f"\tmov\tr9, #{m[2]}\n\tmov\t{m[1]}, r9"),
+    ("constants between instructions", r"\tands\tr([0-3]), r\1, r([0-3])",
+     lambda m: lines(f"ands r{m[1]}, r{m[1]}, r{m[2]}", f".short {0x2000 + 256 * int(m[1]):#x}")),
+    ("another stack pointer at a call", r"\tbl\t(.*(?:now_ms|memset).*)",
+     lambda m: lines("sub sp, sp, #4", "bl " + m[1], "add sp, sp, #4")),
+    ("half a word off the stack at a call", r"\tbl\t(.*now_ms.*)",
+     lambda m: lines("sub sp, sp, #2", "bl " + m[1], "add sp, sp, #2")),
+    ("a word below the stack", r"\tands\t(r[0-3]), \1, (r[0-3])",
+     lambda m: lines(f"ands {m[1]}, {m[1]}, {m[2]}", "sub r12, sp, #8", f"str {m[1]}, [r12]", "b 1f", "1:", "b 1f", "1:",
+                     f"ldr {m[1]}, [r12]")),
 ]
 
 

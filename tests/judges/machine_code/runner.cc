@@ -72,7 +72,8 @@ Result Execute(verify::CompiledCode& code, const std::string& function, std::str
   std::vector<terms::TermId> roots = outcome.slots;
   for (const verify::Obligation& obligation : outcome.obligations) {
     // The instances keep no convention: what callers rely on is not theirs to keep.
-    if (obligation.text.starts_with("an assumption")) continue;
+    if (obligation.text.starts_with("an assumption") || obligation.text.find("stack pointer") != std::string::npos)
+      continue;
     roots.push_back(obligation.never);
   }
   const std::vector<uint64_t> values = terms::SampleValues(all, roots, 1).front();

@@ -1,5 +1,7 @@
 // Runs the generated code on random states, in QEMU: what each routine leaves of State, what it tells the host, and
 // whether it keeps what its callers rely on, is written to a file of the host's.
+#include <stdarg.h>
+
 #include "turret.hpp"
 
 struct turret::Host {
@@ -8,6 +10,8 @@ struct turret::Host {
 
 extern "C" {
 intptr_t judge_semihosting(intptr_t operation, const void* block);
+/// From here on the processor is interrupted again and again.
+void judge_interrupts();
 /// Calls it with three arguments and known numbers in all registers that are kept; 0: they are, and the stack, too.
 uint32_t judge_keeps(const void* function, void* a, uintptr_t b, void* c);
 void* memcpy(void* to, const void* from, size_t bytes) {
@@ -62,11 +66,25 @@ void Tell(turret::Host& host, const void* bytes, size_t count) {
   for (size_t i = 0; i < count; ++i) Tell(host, static_cast<const uint8_t*>(bytes)[i]);
 }
 
+/// Counts on what a host may count on: variables of its own, and that numbers on the stack are aligned.
+uint32_t calls = 3, limits = 77;
+[[gnu::noinline]] uint32_t Sum(int count, ...) {
+  va_list list;
+  va_start(list, count);
+  uint32_t sum = 0;
+  for (int i = 1; i < 8; ++i) sum += va_arg(list, uint32_t);
+  sum += static_cast<uint32_t>(va_arg(list, uint64_t)) * 3;
+  va_end(list);
+  return sum;
+}
+
 }  // namespace
 
 namespace turret {
 uint32_t now_ms(Host& host) noexcept {
   Tell(host, 1);
+  Tell(host, ++calls * limits);
+  Tell(host, Sum(1, 2, 3, 4, 5, 6, 7, 8, uint64_t{66} + calls));
   return host.told;
 }
 void read_inputs(Host& host, State& m) noexcept {
@@ -88,6 +106,7 @@ int main() {
     turret::Host host;
     uint32_t broken;
   } all;
+  judge_interrupts();
   using namespace turret;
   const void* const routines[] = {reinterpret_cast<const void*>(&init), reinterpret_cast<const void*>(&fast),
                                   reinterpret_cast<const void*>(&slow), reinterpret_cast<const void*>(&period)};

@@ -78,4 +78,28 @@ void Addresses::ForgetBelow(terms::TermId number) {
   }
 }
 
+void Addresses::RequireWithin(terms::TermId number, terms::TermId other) {
+  const std::vector<Target> allowed = TargetsOf(other);
+  if (TargetsOf(number).empty()) return Refuse("a stack pointer that is no object's address with an offset");
+  const CodeValue pointer = PointerAt(number);
+  for (const Target& target : pointer.targets) {
+    const auto is_same = [&](const Target& one) { return one.object == target.object; };
+    const Object& object = objects_[target.object];
+    const bool is_stack = IsOwnLocal(object) && std::ranges::all_of(allowed, is_same);
+    const terms::TermId beyond =
+        is_stack ? terms_.Ult(terms_.Const(object.bytes, 64), target.offset) : terms_.Bit(true);
+    Require(terms_.And(target.when, beyond), "a stack pointer that leads out of the stack");
+  }
+}
+
+void Addresses::RequireNotBelow(terms::TermId number, terms::TermId limit) {
+  for (const Target& target : TargetsOf(number)) {
+    for (const Target& end : TargetsOf(limit)) {
+      if (end.object != target.object) continue;
+      const terms::TermId both = terms_.And(target.when, end.when);
+      Require(terms_.And(both, terms_.Ult(target.offset, end.offset)), "an access below the stack pointer");
+    }
+  }
+}
+
 }  // namespace plcxx::prove::verify::llvm_ir

@@ -21,6 +21,10 @@ class Addresses : private ExecutionPart {
   CodeValue PointerAt(terms::TermId number);
   /// Of locals that the number leads into, all bytes below it.
   void ForgetBelow(terms::TermId number);
+  /// That it is an address in the local that `other` leads into, or its end.
+  void RequireWithin(terms::TermId number, terms::TermId other);
+  /// That it is none below `limit`, in the local that this leads into.
+  void RequireNotBelow(terms::TermId number, terms::TermId limit);
 
  private:
   terms::TermId AddressOf(uint32_t object, uint8_t width);

@@ -201,6 +201,23 @@ CodeValue InstructionExecution::ElementPointer(const llvm::GetElementPtrInst& in
   return pointer;
 }
 
+/// Whether it says something about the stack that machine code has (refusal.h).
+bool InstructionExecution::CallOfStack(const llvm::CallInst& call, llvm::StringRef name) {
+  const auto number = [&](unsigned argument) { return values_.TermOf(call.getArgOperand(argument)); };
+  if (name == kForgetBelow) {
+    addresses_.ForgetBelow(number(0));
+  } else if (name == kStackPointer) {
+    addresses_.RequireWithin(number(0), number(1));
+    memory_.RequireAligned(addresses_.PointerAt(number(0)).targets, terms_.Value(number(2)),
+                           "a stack pointer that is not aligned");
+  } else if (name == kNotBelow) {
+    addresses_.RequireNotBelow(number(0), number(1));
+  } else {
+    return false;
+  }
+  return true;
+}
+
 CodeValue InstructionExecution::Call(const llvm::CallInst& call) {
   if (const auto* intrinsic = llvm::dyn_cast<llvm::IntrinsicInst>(&call)) return intrinsics_.Execute(*intrinsic);
   const llvm::Function* callee = call.getCalledFunction();
@@ -220,10 +237,7 @@ CodeValue InstructionExecution::Call(const llvm::CallInst& call) {
     Refuse(callee->getName().substr(std::char_traits<char>::length(kRefusal)).str());
     return {};
   }
-  if (callee->getName() == kForgetBelow) {
-    addresses_.ForgetBelow(values_.TermOf(call.getArgOperand(0)));
-    return {};
-  }
+  if (CallOfStack(call, callee->getName())) return {};
   if (callee->isDeclaration() || environment_.Replaces(name)) return host_calls_.Call(call, *callee, name);
   std::vector<CodeValue> arguments;
   for (const llvm::Use& argument : call.args()) {

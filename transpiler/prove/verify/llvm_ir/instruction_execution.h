@@ -47,6 +47,7 @@ class InstructionExecution : private ExecutionPart {
   CodeValue Load(const llvm::LoadInst& load);
   CodeValue LoadAddress(const CodeValue& pointer);
   CodeValue Call(const llvm::CallInst& call);
+  bool CallOfStack(const llvm::CallInst& call, llvm::StringRef name);
 
   CodeValues& values_;
   ObjectMemory& memory_;

@@ -191,21 +191,20 @@ void ObjectMemory::RequireApart(const std::vector<Target>& to, const std::vector
   }
 }
 
-void ObjectMemory::RequireAligned(const std::vector<Target>& targets, uint64_t align) {
+void ObjectMemory::RequireAligned(const std::vector<Target>& targets, uint64_t align, const char* text) {
   if (align <= 1) return;
   const auto low_bits = static_cast<uint8_t>(std::countr_zero(align));
   for (const Target& target : targets) {
     const Object& object = objects_[target.object];
     if (object.kind == ObjectKind::kHost || object.kind == ObjectKind::kNull) continue;
-    constexpr const char* kText = "an access at an address that is not aligned";
     if (object.align % align != 0) {
-      Require(target.when, kText);
+      Require(target.when, text);
       continue;
     }
     const ValueRange range = ranges_.Of(target.offset);
     if (range.low % align == 0 && range.step % align == 0) continue;
     const terms::TermId rest = terms_.Extract(target.offset, 0, low_bits);
-    Require(terms_.And(target.when, terms_.Ne(rest, terms_.Const(0, low_bits))), kText);
+    Require(terms_.And(target.when, terms_.Ne(rest, terms_.Const(0, low_bits))), text);
   }
 }
 

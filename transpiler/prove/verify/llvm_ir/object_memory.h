@@ -23,7 +23,8 @@ class ObjectMemory : private ExecutionPart {
   void ForgetLocals(const std::vector<Target>& targets);
   /// memcpy leaves open what it does with two places that overlap, unless they are one.
   void RequireApart(const std::vector<Target>& to, const std::vector<Target>& from, uint64_t bytes);
-  void RequireAligned(const std::vector<Target>& targets, uint64_t align);
+  void RequireAligned(const std::vector<Target>& targets, uint64_t align,
+                      const char* text = "an access at an address that is not aligned");
 
  private:
   /// The offsets in an object at which an access of `bytes` bytes can be.

@@ -11,4 +11,12 @@ inline constexpr const char* kRefusal = "plcxx.refused: ";
 /// known any more.
 inline constexpr const char* kForgetBelow = "plcxx.forget_below";
 
+/// A call of this declared function, with a number, another one and a power of two: both must be addresses in one local
+/// (its end is one, too), the first aligned so.
+inline constexpr const char* kStackPointer = "plcxx.stack_pointer";
+
+/// A call of this declared function, with two numbers: where both are addresses in one local, the first must not be
+/// below the second.
+inline constexpr const char* kNotBelow = "plcxx.not_below";
+
 }  // namespace plcxx::prove::verify::llvm_ir

@@ -40,8 +40,10 @@ void ArmLifter::Access() {
   }
   llvm::Value* value = Get(reg);
   if (row_.bits < 32) value = build_.CreateTrunc(value, build_.getIntNTy(row_.bits));
+  // What is stored by a stack pointer that goes down is above it at once.
+  if (pre) lifter_.Set(RegisterAt(back), moved);
   lifter_.Store(address, value, align);
-  if (pre || post) lifter_.Set(RegisterAt(back), moved);
+  if (post) lifter_.Set(RegisterAt(back), moved);
 }
 
 void ArmLifter::AccessPair() {
@@ -63,10 +65,13 @@ void ArmLifter::AccessPair() {
     lifter_.Set(RegisterAt(first), low);
     lifter_.Set(RegisterAt(first + 1), high);
   } else {
-    lifter_.Store(address, Get(first), 4);
-    lifter_.Store(next, Get(first + 1), 4);
+    llvm::Value* low = Get(first);
+    llvm::Value* high = Get(first + 1);
+    if (pre) lifter_.Set(RegisterAt(back), moved);
+    lifter_.Store(address, low, 4);
+    lifter_.Store(next, high, 4);
   }
-  if (pre || post) lifter_.Set(RegisterAt(back), moved);
+  if (post || (pre && loads)) lifter_.Set(RegisterAt(back), moved);
 }
 
 /// A list of registers, the lowest at the lowest address.
@@ -87,17 +92,20 @@ void ArmLifter::AccessMany() {
   llvm::Value* from = down ? build_.CreateSub(before, lifter_.Number(bytes)) : before;
   llvm::Value* after = down ? from : build_.CreateAdd(before, lifter_.Number(bytes));
   bool base_is_loaded = false;
+  std::vector<llvm::Value*> stored;
   std::vector<std::pair<unsigned, llvm::Value*>> loaded;
+  for (size_t i = 0; stores && i < list.size(); ++i) stored.push_back(lifter_.Get(list[i]));
+  if (down) lifter_.Set(base, after);
   for (size_t i = 0; i < list.size(); ++i) {
     llvm::Value* address = build_.CreateAdd(from, lifter_.Number(4 * i));
     if (stores) {
-      lifter_.Store(address, lifter_.Get(list[i]), 4);
+      lifter_.Store(address, stored[i], 4);
     } else {
       loaded.emplace_back(list[i], lifter_.Load(address, 32, 4));
       base_is_loaded = base_is_loaded || list[i] == base;
     }
   }
-  if (moves && !(row_.form == ArmForm::kLoadUpNarrow && base_is_loaded)) lifter_.Set(base, after);
+  if (moves && !down && !(row_.form == ArmForm::kLoadUpNarrow && base_is_loaded)) lifter_.Set(base, after);
   for (const auto& [number, value] : loaded) SetRegister(number, value);
 }
 
@@ -109,14 +117,14 @@ void ArmLifter::LoadConstant() {
   if (section.align % 4 != 0 || at > section.bytes.size() || section.bytes.size() - at < 4)
     return lifter_.Refuse("a constant that is not in the section");
   for (unsigned i = 0; i < 4; ++i) word |= uint32_t{static_cast<uint8_t>(section.bytes[at + i])} << (8 * i);
-  const auto link = section.links.lower_bound(at < 3 ? 0 : at - 3);
-  if (link == section.links.end() || link->first >= at + 4) {
+  const auto notes = lifter_.program().NotesOn(section, at, 4);
+  if (notes.empty()) {
     lifter_.Set(RegisterAt(0), lifter_.Number(word));
     return;
   }
-  Link symbol = link->second;
+  Link symbol = *notes.front().second;
   symbol.addend = static_cast<int32_t>(word);
-  const bool whole = symbol.type == llvm::ELF::R_ARM_ABS32 && link->first == at;
+  const bool whole = notes.size() == 1 && symbol.type == llvm::ELF::R_ARM_ABS32 && notes.front().first == at;
   llvm::Value* address = whole ? lifter_.AddressOf(symbol) : nullptr;
   if (address == nullptr) lifter_.Refuse("the address of " + symbol.symbol);
   lifter_.Set(RegisterAt(0), address != nullptr ? address : lifter_.Number(0));

@@ -76,17 +76,25 @@ llvm::Function& Program::Declared(const std::string& symbol, const Signature& si
 
 /// The function as C++ calls it, around the one of machine code.
 void Program::AddWrapper(uint32_t number, const Signature& signature) {
-  llvm::Function& wrapper = Declared(objects_.functions()[number].symbol, signature);
+  const Function& function = objects_.functions()[number];
+  llvm::Function& wrapper = Declared(function.symbol, signature);
+  const auto refuse = [&](Builder&& build) {
+    CallRefusal(build, "several functions " + llvm::demangle(function.symbol));
+  };
   if (!wrapper.isDeclaration()) {
     // Another file has it, too: an inline function, or one of its own.
     const auto first = wrapped_.find(wrapper.getName().str());
-    if (objects_.AreAlike(objects_.functions()[first->second], objects_.functions()[number])) return;
-    Builder build(&wrapper.getEntryBlock(), wrapper.getEntryBlock().begin());
-    CallRefusal(build, "several functions " + llvm::demangle(objects_.functions()[number].symbol));
+    if (objects_.AreAlike(objects_.functions()[first->second], function)) return;
+    refuse(Builder(&wrapper.getEntryBlock(), wrapper.getEntryBlock().begin()));
     return;
   }
   wrapped_.emplace(wrapper.getName().str(), number);
   Builder build(llvm::BasicBlock::Create(context_, "entry", &wrapper));
+  // Others are given what the linker takes for the name.
+  const Linked linked = objects_.LinkedAs(function.symbol, function.place);
+  const auto taken = linked.place ? objects_.FunctionAt(*linked.place) : std::nullopt;
+  const bool is_taken = taken && objects_.AreAlike(objects_.functions()[*taken], function);
+  if (linked.resolution != Resolution::kOutside && !is_taken) refuse(Builder(&wrapper.getEntryBlock()));
   llvm::IntegerType* word = build.getIntNTy(convention_.bits);
   const auto number_of = [&](uint64_t value) { return llvm::ConstantInt::get(word, value); };
   auto* bytes = llvm::ArrayType::get(build.getInt8Ty(), kStackBytes);
@@ -136,6 +144,7 @@ void Program::AddWrapper(uint32_t number, const Signature& signature) {
 void FunctionLifter::CallSignature(const Signature& signature, const std::string& symbol,
                                    std::optional<uint32_t> defined) {
   const Convention& convention = program_.convention();
+  DemandStack(Get(convention.stack), convention.stack_align);
   llvm::Function& callee = program_.Declared(symbol, signature);
   Arguments places(convention);
   std::vector<llvm::Value*> arguments;
@@ -149,7 +158,10 @@ void FunctionLifter::CallSignature(const Signature& signature, const std::string
       words.push_back(Load(builder_.CreateAdd(Get(convention.stack), Number(at)), convention.bits, 1));
     llvm::Value* value = program_.Join(builder_, words, width);
     if (width < convention.bits) Demand(builder_.CreateICmpEQ(builder_.CreateZExt(value, Word()), words.front()));
-    if (parameter.width == 0) value = builder_.CreateIntToPtr(value, builder_.getPtrTy());
+    if (parameter.width == 0) {
+      DemandNotBelowStack(value);
+      value = builder_.CreateIntToPtr(value, builder_.getPtrTy());
+    }
     arguments.push_back(value);
   }
   llvm::Value* result = builder_.CreateCall(&callee, arguments);
@@ -186,12 +198,17 @@ void FunctionLifter::CallLifted(llvm::Function& callee) {
 }
 
 void FunctionLifter::Call(const Link& link) {
-  const unsigned back = program_.convention().link;
+  const Convention& convention = program_.convention();
   // Where it is loaded nobody knows; that it comes back there is all that matters.
-  Set(back, Number((uint64_t{number_} << 20) + current_->address + current_->bytes + 1));
+  Set(convention.link, Unknown());
+  for (const unsigned reg : convention.linkers) Set(reg, Unknown());
   const std::optional<uint32_t> callee = program_.objects().FunctionOf(link);
   const std::string& symbol = callee ? program_.objects().functions()[*callee].symbol : link.symbol;
-  if (const Signature* signature = program_.SignatureOf(symbol)) {
+  const Signature* signature = program_.SignatureOf(symbol);
+  if (!callee && link.resolution != Resolution::kOutside) {
+    // In these files there is something of that name that is no function, or several.
+    Refuse("a call of " + llvm::demangle(symbol));
+  } else if (signature != nullptr) {
     CallSignature(*signature, symbol, callee);
   } else if (callee) {
     CallLifted(program_.Lifted(*callee));

@@ -256,8 +256,11 @@ class LibraryCall {
     const auto byte = [&](llvm::Value* value) { return build_.CreateTrunc(value, build_.getInt8Ty()); };
     const llvm::Align align(row_.align);
     llvm::Value* to = get(0);
+    lifter_.DemandNotBelowStack(to);
+    const bool copies = row_.operation == LibraryOperation::kCopy || row_.operation == LibraryOperation::kCopyOnly;
+    if (copies) lifter_.DemandNotBelowStack(get(1));
     const bool gives = row_.operation == LibraryOperation::kCopy || row_.operation == LibraryOperation::kFill;
-    if (row_.operation == LibraryOperation::kCopy || row_.operation == LibraryOperation::kCopyOnly) {
+    if (copies) {
       build_.CreateMemMove(pointer(0), align, pointer(1), align, get(2));
     } else if (row_.operation == LibraryOperation::kFill) {
       build_.CreateMemSet(pointer(0), byte(get(1)), get(2), align);
@@ -278,8 +281,10 @@ class LibraryCall {
 
 bool FunctionLifter::CallLibrary(const std::string& symbol) {
   const LibraryRow* row = LibraryRowOf(symbol);
-  if (row != nullptr) LibraryCall(*this, *row).Run();
-  return row != nullptr;
+  if (row == nullptr) return false;
+  DemandStack(Get(program_.convention().stack), program_.convention().stack_align);
+  LibraryCall(*this, *row).Run();
+  return true;
 }
 
 }  // namespace plcxx::prove::verify::machine_code

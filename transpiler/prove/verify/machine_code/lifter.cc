@@ -32,29 +32,6 @@ llvm::Value* FunctionLifter::Number(uint64_t value) const {
   return llvm::ConstantInt::get(Word(), value & support::LowBits(bits));
 }
 
-const Link* FunctionLifter::LinkAt(std::initializer_list<uint64_t> types) {
-  const auto [first, last] = section().links.equal_range(current_->address);
-  for (auto link = first; link != last; ++link) {
-    if (std::find(types.begin(), types.end(), link->second.type) == types.end()) continue;
-    understood_.insert(&link->second);
-    return &link->second;
-  }
-  return nullptr;
-}
-
-bool FunctionLifter::HasOpenNote() const {
-  const bool is_arm = program_.machine().is_arm();
-  const auto last = section().links.lower_bound(current_->address + current_->bytes);
-  for (auto link = section().links.lower_bound(current_->address); link != last; ++link) {
-    const uint64_t type = link->second.type;
-    const bool changes_nothing = is_arm ? type == llvm::ELF::R_ARM_NONE
-                                        : type == llvm::ELF::R_RISCV_NONE || type == llvm::ELF::R_RISCV_RELAX ||
-                                              type == llvm::ELF::R_RISCV_ALIGN;
-    if (!changes_nothing && !understood_.contains(&link->second)) return true;
-  }
-  return false;
-}
-
 std::optional<uint64_t> FunctionLifter::TargetOf(const Link& link) const {
   if (!link.defined || link.defined->section != function().place.section) return std::nullopt;
   const uint64_t target = link.defined->offset + static_cast<uint64_t>(link.addend);
@@ -99,8 +76,13 @@ llvm::BasicBlock* FunctionLifter::BlockAt(uint64_t address) {
 
 llvm::Value* FunctionLifter::Get(unsigned number) { return builder_.CreateLoad(Word(), registers_[number]); }
 void FunctionLifter::Set(unsigned number, llvm::Value* value) {
+  const Convention& convention = program_.convention();
+  if (std::ranges::find(convention.platform, number) != convention.platform.end())
+    Demand(builder_.CreateICmpEQ(value, target_.getArg(number)));
   builder_.CreateStore(value, registers_[number]);
-  if (number == program_.convention().stack) ForgetBelowStack();
+  if (number != convention.stack) return;
+  DemandStack(value, convention.least_stack_align);
+  ForgetBelowStack();
 }
 llvm::Value* FunctionLifter::GetFlag(unsigned number) {
   return builder_.CreateLoad(builder_.getInt1Ty(), flags_[number]);
@@ -110,11 +92,13 @@ void FunctionLifter::SetFlag(unsigned number, llvm::Value* value) { builder_.Cre
 llvm::Value* FunctionLifter::Unknown() { return builder_.CreateLoad(Word(), unknown_); }
 
 llvm::Value* FunctionLifter::Load(llvm::Value* address, unsigned bits, unsigned align) {
+  DemandNotBelowStack(address);
   llvm::Value* pointer = builder_.CreateIntToPtr(address, builder_.getPtrTy());
   return builder_.CreateAlignedLoad(builder_.getIntNTy(bits), pointer, llvm::Align(align));
 }
 
 void FunctionLifter::Store(llvm::Value* address, llvm::Value* value, unsigned align) {
+  DemandNotBelowStack(address);
   llvm::Value* pointer = builder_.CreateIntToPtr(address, builder_.getPtrTy());
   builder_.CreateAlignedStore(value, pointer, llvm::Align(align));
 }
@@ -137,6 +121,18 @@ void FunctionLifter::ForgetBelowStack(uint64_t above) {
   llvm::Value* end = Get(program_.convention().stack);
   if (above != 0) end = builder_.CreateAdd(end, Number(above));
   builder_.CreateCall(program_.module().getOrInsertFunction(llvm_ir::kForgetBelow, type), {end});
+}
+
+void FunctionLifter::DemandStack(llvm::Value* pointer, unsigned align) {
+  llvm::FunctionType* type = llvm::FunctionType::get(builder_.getVoidTy(), {Word(), Word(), Word()}, false);
+  builder_.CreateCall(program_.module().getOrInsertFunction(llvm_ir::kStackPointer, type),
+                      {pointer, target_.getArg(program_.convention().stack), Number(align)});
+}
+
+void FunctionLifter::DemandNotBelowStack(llvm::Value* address) {
+  llvm::FunctionType* type = llvm::FunctionType::get(builder_.getVoidTy(), {Word(), Word()}, false);
+  builder_.CreateCall(program_.module().getOrInsertFunction(llvm_ir::kNotBelow, type),
+                      {address, Get(program_.convention().stack)});
 }
 
 void FunctionLifter::Refuse(const std::string& what) { program_.CallRefusal(builder_, what); }
@@ -171,9 +167,12 @@ llvm::Value* FunctionLifter::AddressOf(const Link& link) {
   if (!link.defined) return nullptr;
   const Section& target = program_.objects().sections()[link.defined->section];
   if (!target.is_constant || target.is_code) return nullptr;
-  llvm::Value* address = builder_.CreatePtrToInt(&program_.ConstantsOf(link.defined->section), Word());
   const uint64_t offset = link.defined->offset + static_cast<uint64_t>(link.addend);
-  return offset == 0 ? address : builder_.CreateAdd(address, Number(offset));
+  // What the linker merges keeps no neighbours.
+  const uint64_t place = link.is_of_section ? offset : link.defined->offset;
+  const auto [first, bytes] = target.MergedAt(place);
+  llvm::Value* address = builder_.CreatePtrToInt(&program_.ConstantsOf(link.defined->section, first, bytes), Word());
+  return offset == first ? address : builder_.CreateAdd(address, Number(offset - first));
 }
 
 llvm::Value* FunctionLifter::PartOf(AddressPart part, const Place& place) {
@@ -201,8 +200,15 @@ void FunctionLifter::Run() {
   exit_ = llvm::BasicBlock::Create(target_.getContext(), "exit", &target_);
   FindBlocks();
   llvm::StringRef open_note;
+  uint64_t next = function().place.offset;
   for (const Instruction& instruction : code_) {
     current_ = &instruction;
+    // Constants stand in between: the processor takes them for instructions.
+    if (instruction.address != std::exchange(next, instruction.address + instruction.bytes) &&
+        builder_.GetInsertBlock()->getTerminator() == nullptr) {
+      Refuse("constants where instructions are executed");
+      builder_.CreateUnreachable();
+    }
     const auto block = blocks_.find(instruction.address);
     if (block != blocks_.end()) {
       if (builder_.GetInsertBlock()->getTerminator() == nullptr) builder_.CreateBr(block->second);

@@ -41,9 +41,11 @@ class Program;
 
 /// Of addresses that two instructions make.
 enum class AddressPart : uint8_t {
-  kCounterUpper,  // auipc, which the note at this place is for
-  kUpper,         // lui
-  kLow            // movw
+  kCounterUpper,         // auipc, which the note at this place is for
+  kUpper,                // lui
+  kRelaxedCounterUpper,  // of those that the linker may leave out: then the other half needs no register
+  kRelaxedUpper,
+  kLow  // movw
 };
 
 /// One function while it is lifted. The architecture's part calls these for each instruction, in order.
@@ -87,11 +89,17 @@ class FunctionLifter {
   void Refuse(const std::string& what);
   /// Shown to be so wherever execution comes here.
   void Demand(llvm::Value* condition) { builder_.CreateAssumption(condition); }
+  /// Interrupts write below the stack pointer at any time.
+  void DemandNotBelowStack(llvm::Value* address);
   /// The following instruction is executed only then.
   void BeginGuard(llvm::Value* condition);
   void EndGuard();
 
   const compile::audit::Instruction& current() const { return *current_; }
+  /// The instruction behind it; none: it is the function's last.
+  const compile::audit::Instruction* next() const {
+    return current_ + 1 == code_.data() + code_.size() ? nullptr : current_ + 1;
+  }
   /// The instruction in front of it; none: it is the function's first.
   const compile::audit::Instruction* previous() const { return current_ == code_.data() ? nullptr : current_ - 1; }
   /// Whether a branch leads to the current instruction.
@@ -99,6 +107,10 @@ class FunctionLifter {
   /// The linker's note of one of these types at the current instruction, which is executed with what the note says. A
   /// function with a note that no instruction asks for is refused.
   const Link* LinkAt(std::initializer_list<uint64_t> types);
+  /// Whether the linker may make a shorter instruction of it, or none.
+  bool MayBeRelaxed() const;
+  /// Whether the linker may change how far it is from the current instruction to that place.
+  bool MayMoveTo(uint64_t target) const;
   /// The address of what a link leads to; none: not of a constant.
   llvm::Value* AddressOf(const Link& link);
   /// What a register holds after the first of two instructions that make an address: a number that nothing is known of,
@@ -113,9 +125,12 @@ class FunctionLifter {
  private:
   void FindBlocks();
   bool HasOpenNote() const;
+  bool DoesNothing() const;
   /// Interrupts and callees write below the stack pointer; callees also into what they are given, so many bytes
   /// above it.
   void ForgetBelowStack(uint64_t above = 0);
+  /// That it leads into the stack that the function was given, and is aligned so.
+  void DemandStack(llvm::Value* pointer, unsigned align);
   llvm::BasicBlock* BlockAt(uint64_t address);
   void CallSignature(const Signature& signature, const std::string& symbol, std::optional<uint32_t> defined);
   void CallLifted(llvm::Function& callee);
@@ -155,10 +170,15 @@ class Program {
   llvm::Function& Declared(const std::string& symbol, const Signature& signature);
   /// What comes there is refused.
   void CallRefusal(Builder& build, const std::string& what);
-  llvm::GlobalVariable& ConstantsOf(uint32_t section);
+  /// Of these bytes of it.
+  llvm::GlobalVariable& ConstantsOf(uint32_t section, uint64_t first, uint64_t bytes);
   llvm::GlobalVariable& PartOf(AddressPart part, const Place& place);
   /// In order, without the constants among them; empty: there are bytes that are no instruction.
   const std::vector<compile::audit::Instruction>& InstructionsOf(uint32_t function) const { return code_[function]; }
+  /// How many bytes the linker writes for a note.
+  uint64_t BytesOf(const Link& link) const;
+  /// Those for which it writes into any of these bytes, with their places.
+  std::vector<std::pair<uint64_t, const Link*>> NotesOn(const Section& section, uint64_t begin, uint64_t bytes) const;
   /// A number as words of registers, the low one first, and back.
   std::vector<llvm::Value*> Split(Builder& build, llvm::Value* value) const;
   llvm::Value* Join(Builder& build, std::span<llvm::Value* const> words, unsigned width) const;
@@ -167,6 +187,8 @@ class Program {
 
  private:
   void Decode();
+  unsigned InstructionsUnder(const llvm::MCInst& inst) const;
+  void EndConditions();
   void NoteWrites(const llvm::MCInst& inst, std::vector<bool>& writes) const;
   void FindWrites();
   void AddWrapper(uint32_t function, const Signature& signature);
@@ -181,7 +203,7 @@ class Program {
   std::vector<llvm::Function*> lifted_;                         // by function
   std::vector<std::vector<bool>> writes_;                       // by function and register
   std::vector<std::vector<compile::audit::Instruction>> code_;  // by function
-  std::map<uint32_t, llvm::GlobalVariable*> constants_;
+  std::map<Place, llvm::GlobalVariable*> constants_;
   std::map<std::pair<AddressPart, Place>, llvm::GlobalVariable*> parts_;
 };
 

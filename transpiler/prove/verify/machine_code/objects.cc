@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "transpiler/support/check.h"
+
 namespace plcxx::prove::verify::machine_code {
 namespace {
 
@@ -22,7 +24,36 @@ std::optional<T> ValueOr(llvm::Expected<T> value) {
   return std::nullopt;
 }
 
+/// None: it is in nothing that is loaded, or has no section at all.
+std::optional<uint32_t> SectionOf(const llvm::object::ELFObjectFileBase& file, const llvm::object::ELFSymbolRef& symbol,
+                                  const std::unordered_map<uint64_t, uint32_t>& section_of) {
+  const auto section = ValueOr(symbol.getSection());
+  if (!section || *section == file.section_end()) return std::nullopt;
+  const auto found = section_of.find((*section)->getIndex());
+  return found == section_of.end() ? std::nullopt : std::optional(found->second);
+}
+
+uint64_t EntryBytes(const llvm::object::ELFObjectFileBase& file, const llvm::object::ELFSectionRef& section) {
+  const auto of = [&](const auto& elf) { return uint64_t{elf.getSection(section.getRawDataRefImpl())->sh_entsize}; };
+  if (const auto* narrow = llvm::dyn_cast<llvm::object::ELF32LEObjectFile>(&file)) return of(*narrow);
+  if (const auto* wide = llvm::dyn_cast<llvm::object::ELF64LEObjectFile>(&file)) return of(*wide);
+  return 1;
+}
+
 }  // namespace
+
+std::pair<uint64_t, uint64_t> Section::MergedAt(uint64_t offset) const {
+  if (merges == 0 || offset >= bytes.size()) return {0, bytes.size()};
+  const uint64_t first = offset / merges * merges;
+  uint64_t end = std::min<uint64_t>(first + merges, bytes.size());
+  const auto is_end = [&](uint64_t at) {
+    return bytes.substr(at, merges).find_first_not_of('\0') == llvm::StringRef::npos;
+  };
+  if (has_texts) {
+    while (end < bytes.size() && !is_end(end - merges)) end = std::min<uint64_t>(end + merges, bytes.size());
+  }
+  return {first, end - first};
+}
 
 void Objects::ReadSections(const llvm::object::ELFObjectFileBase& file,
                            std::unordered_map<uint64_t, uint32_t>& section_of) {
@@ -36,26 +67,36 @@ void Objects::ReadSections(const llvm::object::ELFObjectFileBase& file,
     read.align = section.getAlignment().value();
     read.is_code = (flags & llvm::ELF::SHF_EXECINSTR) != 0;
     read.is_constant = (flags & llvm::ELF::SHF_WRITE) == 0;
+    read.has_texts = (flags & llvm::ELF::SHF_STRINGS) != 0;
+    if ((flags & llvm::ELF::SHF_MERGE) != 0) read.merges = std::max<uint64_t>(EntryBytes(file, section), 1);
   }
 }
 
 void Objects::ReadSymbols(const llvm::object::ELFObjectFileBase& file,
                           const std::unordered_map<uint64_t, uint32_t>& section_of) {
+  const bool is_arm = file.getEMachine() == llvm::ELF::EM_ARM;
   for (const llvm::object::ELFSymbolRef symbol : file.symbols()) {
     const auto name = ValueOr(symbol.getName());
-    const auto section = ValueOr(symbol.getSection());
-    if (!name || !section || *section == file.section_end()) continue;
-    const auto found = section_of.find((*section)->getIndex());
-    if (found == section_of.end()) continue;
+    const uint32_t flags = ValueOr(symbol.getFlags()).value_or(0);
+    if (!name || (flags & llvm::object::BasicSymbolRef::SF_Undefined) != 0) continue;
+    const std::optional<uint32_t> section = SectionOf(file, symbol, section_of);
+    const bool is_shared = symbol.getBinding() != llvm::ELF::STB_LOCAL;
+    Definition* shared = is_shared ? &definitions_[name->str()].emplace_back() : nullptr;
+    if (shared != nullptr && (flags & llvm::object::BasicSymbolRef::SF_Weak) != 0)
+      shared->strength = Definition::Strength::kWeak;
+    if (!section) continue;
     const uint64_t value = ValueOr(symbol.getValue()).value_or(0);
-    if (file.getEMachine() == llvm::ELF::EM_ARM && (name->starts_with("$t") || name->starts_with("$d")))
-      sections_[found->second].data_begins[value] = name->starts_with("$d");
-    if (symbol.getELFType() != llvm::ELF::STT_FUNC) continue;
-    const Place place{found->second, WithoutThumbBit(file, value)};
-    const auto number = static_cast<uint32_t>(functions_.size());
-    functions_.push_back({.symbol = name->str(), .place = place, .bytes = symbol.getSize()});
-    function_at_.emplace(place, number);
-    if (symbol.getBinding() != llvm::ELF::STB_LOCAL) global_functions_[name->str()].push_back(number);
+    if (is_arm && (name->starts_with("$t") || name->starts_with("$d")))
+      sections_[*section].data_begins[value] = name->starts_with("$d");
+    const Function found{name->str(), {*section, WithoutThumbBit(file, value)}, symbol.getSize()};
+    const bool is_data = !sections_[*section].is_code;
+    // What is no function is not called, be it at the place of one: ARM's linker would change the instruction set.
+    const bool is_function = symbol.getELFType() == llvm::ELF::STT_FUNC &&
+                             (!is_arm || (flags & llvm::object::BasicSymbolRef::SF_Thumb) != 0);
+    if (shared != nullptr && (is_data || is_function)) shared->at = found;
+    if (!is_function) continue;
+    function_at_.emplace(found.place, static_cast<uint32_t>(functions_.size()));
+    functions_.push_back(found);
   }
 }
 
@@ -69,19 +110,67 @@ void Objects::ReadLinks(const llvm::object::ELFObjectFileBase& file,
     for (const llvm::object::ELFRelocationRef note : notes.relocations()) {
       Link link{.type = note.getType(), .symbol = {}, .defined = {}};
       link.addend = ValueOr(note.getAddend()).value_or(0);
-      const llvm::object::ELFSymbolRef symbol(*note.getSymbol());
       if (note.getSymbol() != file.symbol_end()) {
+        const llvm::object::ELFSymbolRef symbol(*note.getSymbol());
+        const uint32_t flags = ValueOr(symbol.getFlags()).value_or(0);
+        const bool is_shared = symbol.getBinding() != llvm::ELF::STB_LOCAL;
         link.symbol = ValueOr(symbol.getName()).value_or("").str();
-        const auto section = ValueOr(symbol.getSection());
-        if (section && *section != file.section_end()) {
-          const auto defined = section_of.find((*section)->getIndex());
-          if (defined != section_of.end())
-            link.defined = {defined->second, WithoutThumbBit(file, ValueOr(symbol.getValue()).value_or(0))};
-        }
+        link.is_of_section = symbol.getELFType() == llvm::ELF::STT_SECTION;
+        link.binding = is_shared ? Link::Binding::kGlobal : Link::Binding::kLocal;
+        if (const std::optional<uint32_t> section = SectionOf(file, symbol, section_of))
+          link.defined = {*section, WithoutThumbBit(file, ValueOr(symbol.getValue()).value_or(0))};
+        constexpr uint32_t kUndefined = llvm::object::BasicSymbolRef::SF_Undefined,
+                           kWeak = llvm::object::BasicSymbolRef::SF_Weak;
+        if (is_shared && (flags & kUndefined) != 0 && (flags & kWeak) == 0) link.resolution = Resolution::kOutside;
       }
-      sections_[found->second].links.emplace(note.getOffset(), std::move(link));
+      Section& section = sections_[found->second];
+      if (file.getEMachine() == llvm::ELF::EM_RISCV && link.type == llvm::ELF::R_RISCV_ALIGN)
+        section.may_go.emplace_back(note.getOffset(), note.getOffset() + static_cast<uint64_t>(link.addend));
+      section.links.emplace(note.getOffset(), std::move(link));
     }
   }
+}
+
+void Objects::Resolve() {
+  struct Answer {
+    Link* link;
+    Linked linked;
+  };
+  // What a file itself says of its notes is what others are compared with.
+  std::vector<Answer> answers;
+  for (Section& section : sections_) {
+    for (auto& [offset, link] : section.links) {
+      if (link.binding == Link::Binding::kNone) continue;
+      Linked linked{link.defined ? Resolution::kPlace : Resolution::kUnclear, link.defined};
+      if (link.binding == Link::Binding::kGlobal) {
+        linked = LinkedAs(link.symbol, link.defined);
+        if (linked.resolution == Resolution::kOutside) linked.resolution = link.resolution;
+      }
+      answers.push_back({&link, linked});
+    }
+  }
+  for (const auto& [link, linked] : answers) {
+    link->resolution = linked.resolution;
+    link->defined = linked.place;
+  }
+}
+
+Linked Objects::LinkedAs(const std::string& symbol, std::optional<Place> own) const {
+  const auto found = definitions_.find(symbol);
+  if (found == definitions_.end()) return {};
+  std::vector<const Definition*> taken;
+  for (const auto strength : {Definition::Strength::kStrong, Definition::Strength::kWeak}) {
+    for (const Definition& one : found->second) {
+      if (one.strength == strength) taken.push_back(&one);
+    }
+    if (!taken.empty()) break;
+  }
+  // Of an inline function that several files have the linker takes any.
+  const Definition& first = *taken.front();
+  const auto differs = [&](const Definition* one) { return !one->at || !first.at || !AreAlike(*first.at, *one->at); };
+  if (!first.at || std::any_of(taken.begin() + 1, taken.end(), differs)) return {Resolution::kUnclear, std::nullopt};
+  const auto is_own = [&](const Definition* one) { return own && one->at->place == *own; };
+  return {Resolution::kPlace, std::ranges::any_of(taken, is_own) ? own : std::optional(first.at->place)};
 }
 
 bool Objects::ReadObject(llvm::MemoryBufferRef file, std::string& reason) {
@@ -125,6 +214,7 @@ bool Objects::Read(std::span<const std::string> files, std::string& reason) {
     if (!ReadFile(llvm::MemoryBufferRef(bytes, "object"), reason)) return false;
   }
   if (files_.empty()) reason = "there are no objects";
+  Resolve();
   return !files_.empty();
 }
 
@@ -139,9 +229,25 @@ const Section* Objects::RunsByItself() const {
   return found == sections_.end() ? nullptr : &*found;
 }
 
-bool Objects::AreAlike(const Function& a, const Function& b) const {
+bool Objects::AreAlike(const Place& a, const Place& b, unsigned depth) const {
+  constexpr unsigned kDeepest = 16;
+  const Section &in_a = sections_[a.section], &in_b = sections_[b.section];
+  if (a == b) return true;
+  if (in_a.is_code || in_b.is_code) {
+    const auto one = FunctionAt(a), other = FunctionAt(b);
+    return one && other && depth < kDeepest && AreAlike(functions_[*one], functions_[*other], depth + 1);
+  }
+  return a.offset == b.offset && in_a.is_constant && in_b.is_constant && in_a.bytes == in_b.bytes &&
+         in_a.links.empty() && in_b.links.empty();
+}
+
+bool Objects::AreAlike(const Function& a, const Function& b) const { return AreAlike(a, b, 0); }
+
+bool Objects::AreAlike(const Function& a, const Function& b, unsigned depth) const {
+  if (a.place == b.place) return true;
   const Section &in_a = sections_[a.place.section], &in_b = sections_[b.place.section];
-  if (a.bytes != b.bytes || in_a.bytes.substr(a.place.offset, a.bytes) != in_b.bytes.substr(b.place.offset, b.bytes))
+  if (a.bytes != b.bytes || in_a.is_code != in_b.is_code || in_a.is_constant != in_b.is_constant ||
+      in_a.bytes.substr(a.place.offset, a.bytes) != in_b.bytes.substr(b.place.offset, b.bytes))
     return false;
   auto link = in_a.links.lower_bound(a.place.offset), other = in_b.links.lower_bound(b.place.offset);
   const auto end = in_a.links.lower_bound(a.place.offset + a.bytes);
@@ -150,13 +256,23 @@ bool Objects::AreAlike(const Function& a, const Function& b) const {
     const bool inside = one.defined && one.defined->section == function.place.section;
     return inside ? std::optional(one.defined->offset - function.place.offset) : std::nullopt;
   };
+  const auto lead_to_one = [&](const Link& one, const Link& two) {
+    if (one.binding != two.binding) return false;
+    if (const std::optional<uint64_t> inside = within(one, a)) return inside == within(two, b);
+    switch (one.binding) {
+      case Link::Binding::kNone:
+        return true;
+      case Link::Binding::kLocal:
+        return one.defined && two.defined && AreAlike(*one.defined, *two.defined, depth);
+      case Link::Binding::kGlobal:
+        return one.symbol == two.symbol;
+    }
+    PLCXX_UNREACHABLE();
+  };
   for (; link != end && other != other_end; ++link, ++other) {
     const Link &one = link->second, &two = other->second;
-    const std::optional<uint64_t> inside = within(one, a);
-    const bool same_place = inside ? inside == within(two, b) : !one.symbol.empty() && one.symbol == two.symbol;
-    const bool for_the_linker = one.symbol.empty() && !one.defined && two.symbol.empty() && !two.defined;
     if (link->first - a.place.offset != other->first - b.place.offset || one.type != two.type ||
-        one.addend != two.addend || (!same_place && !for_the_linker))
+        one.addend != two.addend || !lead_to_one(one, two))
       return false;
   }
   return link == end && other == other_end;
@@ -165,18 +281,6 @@ bool Objects::AreAlike(const Function& a, const Function& b) const {
 std::optional<uint32_t> Objects::FunctionAt(const Place& place) const {
   const auto found = function_at_.find(place);
   return found == function_at_.end() ? std::nullopt : std::optional(found->second);
-}
-
-std::optional<uint32_t> Objects::FunctionOf(const Link& link) const {
-  const auto own = link.defined ? FunctionAt(*link.defined) : std::nullopt;
-  const auto found = global_functions_.find(own ? functions_[*own].symbol : link.symbol);
-  if (found == global_functions_.end()) return own;
-  // Of an inline function that several files have the linker takes any.
-  const std::vector<uint32_t>& all = found->second;
-  if (own && std::find(all.begin(), all.end(), *own) == all.end()) return own;  // of the same name, but its file's own
-  const auto differs = [&](uint32_t one) { return !AreAlike(functions_[all.front()], functions_[one]); };
-  if (std::any_of(all.begin() + 1, all.end(), differs)) return std::nullopt;
-  return own ? own : std::optional(all.front());
 }
 
 }  // namespace plcxx::prove::verify::machine_code

@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace plcxx::prove::verify::machine_code {
@@ -26,11 +27,21 @@ struct Place {
   auto operator<=>(const Place&) const = default;
 };
 
+/// What the linker takes for a symbol.
+enum class Resolution : uint8_t {
+  kOutside,  // none of these files has it: it is the host's or a library's
+  kPlace,
+  kUnclear  // no place in what is loaded, several that differ, or of a weak reference that nobody need answer
+};
+
 /// A note for the linker: what it will write there.
 struct Link {
-  uint64_t type = 0;             // as ELF numbers the target's
-  std::string symbol;            // may be empty of a local place
-  std::optional<Place> defined;  // where the symbol is, without addend
+  uint64_t type = 0;                                                                 // as ELF numbers the target's
+  std::string symbol;                                                                // may be empty of a local place
+  enum class Binding : uint8_t { kNone, kLocal, kGlobal } binding = Binding::kNone;  // none: it names no symbol
+  Resolution resolution = Resolution::kUnclear;
+  bool is_of_section = false;    // the symbol: its addend says what is meant
+  std::optional<Place> defined;  // kPlace: where the symbol is, without addend
   int64_t addend = 0;
 };
 
@@ -42,12 +53,31 @@ struct Section {
   bool is_constant = false;              // loaded, and never written
   std::multimap<uint64_t, Link> links;   // by offset
   std::map<uint64_t, bool> data_begins;  // of ARM: where constants begin (true) and code (false)
+  // From and to where the linker takes bytes away to align what follows, in order.
+  std::vector<std::pair<uint64_t, uint64_t>> may_go;
+  // The linker puts constants of so many bytes, or texts of such characters, beside others than here; 0: it does not.
+  uint64_t merges = 0;
+  bool has_texts = false;
+
+  /// The first byte of what stays together around that place, and how many there are.
+  std::pair<uint64_t, uint64_t> MergedAt(uint64_t offset) const;
 };
 
 struct Function {
   std::string symbol;
   Place place;
   uint64_t bytes = 0;
+};
+
+/// A symbol that other files can refer to.
+struct Definition {
+  std::optional<Function> at;  // none: it is in nothing that is loaded
+  enum class Strength : uint8_t { kWeak, kStrong } strength = Strength::kStrong;
+};
+
+struct Linked {
+  Resolution resolution = Resolution::kOutside;
+  std::optional<Place> place;
 };
 
 class Objects {
@@ -60,9 +90,12 @@ class Objects {
   const std::vector<Function>& functions() const { return functions_; }
   /// The function that begins there; none.
   std::optional<uint32_t> FunctionAt(const Place& place) const;
-  /// The function that a link leads to, in whichever file; none: it is the host's or a library's, or files have
-  /// different ones of this name.
-  std::optional<uint32_t> FunctionOf(const Link& link) const;
+  /// The function that a link leads to, in whichever file; none: there is no function there.
+  std::optional<uint32_t> FunctionOf(const Link& link) const {
+    return link.defined ? FunctionAt(*link.defined) : std::nullopt;
+  }
+  /// What the linker takes for a symbol that files share, seen from a file that has it itself at `own`.
+  Linked LinkedAs(const std::string& symbol, std::optional<Place> own) const;
   /// Of the same bytes, and of the same that the linker will write into them.
   bool AreAlike(const Function& a, const Function& b) const;
   /// A section whose code or addresses are executed without a call; none.
@@ -75,13 +108,18 @@ class Objects {
   void ReadSymbols(const llvm::object::ELFObjectFileBase& file,
                    const std::unordered_map<uint64_t, uint32_t>& section_of);
   void ReadLinks(const llvm::object::ELFObjectFileBase& file, const std::unordered_map<uint64_t, uint32_t>& section_of);
+  /// When all files are read.
+  void Resolve();
+  bool AreAlike(const Function& a, const Function& b, unsigned depth) const;
+  /// Of what each of two files has for itself.
+  bool AreAlike(const Place& a, const Place& b, unsigned depth) const;
 
   std::vector<std::unique_ptr<llvm::object::ELFObjectFileBase>> files_;
   std::vector<std::unique_ptr<llvm::object::Archive>> archives_;
   std::vector<Section> sections_;
   std::vector<Function> functions_;
   std::map<Place, uint32_t> function_at_;
-  std::unordered_map<std::string, std::vector<uint32_t>> global_functions_;  // looked up only
+  std::unordered_map<std::string, std::vector<Definition>> definitions_;  // of symbols that files share; looked up only
 };
 
 }  // namespace plcxx::prove::verify::machine_code

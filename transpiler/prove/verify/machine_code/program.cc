@@ -1,6 +1,8 @@
 // All functions of a program: what is lifted, and around what.
 #include <llvm/MC/MCInstrDesc.h>
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "transpiler/prove/verify/llvm_ir/function_name.h"
@@ -31,23 +33,25 @@ const Signature* Program::SignatureOf(const std::string& symbol) const {
   return found == signatures_.end() ? nullptr : found->second;
 }
 
-llvm::GlobalVariable& Program::ConstantsOf(uint32_t number) {
-  llvm::GlobalVariable*& constants = constants_[number];
+llvm::GlobalVariable& Program::ConstantsOf(uint32_t number, uint64_t first, uint64_t count) {
+  llvm::GlobalVariable*& constants = constants_[{number, first}];
   if (constants != nullptr) return *constants;
   const Section& section = objects_.sections()[number];
   std::vector<llvm::Constant*> bytes;
   llvm::Type* byte = llvm::Type::getInt8Ty(context_);
-  for (const char one : section.bytes) bytes.push_back(llvm::ConstantInt::get(byte, static_cast<uint8_t>(one)));
+  for (const char one : section.bytes.substr(first, count))
+    bytes.push_back(llvm::ConstantInt::get(byte, static_cast<uint8_t>(one)));
   // What the linker will write is no number that is known.
-  for (const auto& [offset, link] : section.links) {
-    for (uint64_t at = offset; at < offset + convention_.bits / 8 && at < bytes.size(); ++at)
-      bytes[at] = llvm::UndefValue::get(byte);
+  for (const auto& [offset, link] : NotesOn(section, first, bytes.size())) {
+    for (uint64_t at = std::max(offset, first); at < offset + BytesOf(*link) && at - first < bytes.size(); ++at)
+      bytes[at - first] = llvm::UndefValue::get(byte);
   }
   std::vector<llvm::Type*> types(bytes.size(), byte);
   auto* type = llvm::StructType::get(context_, types, /*isPacked=*/true);
   constants = new llvm::GlobalVariable(*module_, type, /*isConstant=*/true, llvm::GlobalValue::PrivateLinkage,
                                        llvm::ConstantStruct::get(type, bytes), section.name);
-  constants->setAlignment(llvm::Align(section.align == 0 ? 1 : section.align));
+  const llvm::Align align(section.align == 0 ? 1 : section.align);
+  constants->setAlignment(llvm::commonAlignment(align, first));
   return *constants;
 }
 
@@ -80,6 +84,20 @@ void Program::CallRefusal(Builder& build, const std::string& what) {
   build.CreateCall(module_->getOrInsertFunction(std::string(llvm_ir::kRefusal) + what, type));
 }
 
+/// How many instructions an IT puts under a condition: its mask ends with a 1.
+unsigned Program::InstructionsUnder(const llvm::MCInst& inst) const {
+  if (machine_.OpcodeName(inst) != "t2IT") return 0;
+  const auto mask = static_cast<uint32_t>(inst.getOperand(1).getImm());
+  return 4 - static_cast<unsigned>(std::countr_zero(mask | 16U));
+}
+
+/// The decoder goes on with conditions of what it decoded last, which may be another function's end.
+void Program::EndConditions() {
+  constexpr uint8_t kNop[] = {0x00, 0xBF};
+  compile::audit::Instruction nop;
+  for (unsigned i = 0; machine_.is_arm() && i < 4; ++i) machine_.Decode(kNop, 0, nop);
+}
+
 void Program::Decode() {
   for (const Function& function : objects_.functions()) {
     std::vector<compile::audit::Instruction>& code = code_.emplace_back();
@@ -88,18 +106,26 @@ void Program::Decode() {
     if (end > section.bytes.size()) continue;
     const llvm::ArrayRef<uint8_t> bytes(reinterpret_cast<const uint8_t*>(section.bytes.data()), section.bytes.size());
     bool data = false;
+    unsigned conditions = 0;  // instructions that are under one
+    EndConditions();
     for (uint64_t at = begin; at < end;) {
       const auto mark = section.data_begins.find(at);
       if (mark != section.data_begins.end()) data = mark->second;
       if (data) {
+        conditions = 0;
+        EndConditions();
         ++at;
         continue;
       }
       compile::audit::Instruction instruction;
-      if (!machine_.Decode(bytes.slice(at, end - at), at, instruction)) {
+      // Under a condition only the last one goes elsewhere: the conditions would go on there.
+      const bool is_instruction = machine_.Decode(bytes.slice(at, end - at), at, instruction) &&
+                                  (conditions < 2 || instruction.flow == compile::audit::Flow::kNext);
+      if (!is_instruction) {
         code.clear();
         break;
       }
+      conditions = std::max(conditions, 1U) - 1 + InstructionsUnder(instruction.inst);
       at += instruction.bytes;
       code.push_back(std::move(instruction));
     }
@@ -140,7 +166,7 @@ void Program::FindWrites() {
       const Link& to = link->second;
       const bool inside = to.defined && to.defined->section == functions[i].place.section &&
                           to.defined->offset >= begin && to.defined->offset < end;
-      if (to.symbol.empty() && !to.defined) continue;  // for the linker alone
+      if (to.binding == Link::Binding::kNone) continue;  // for the linker alone
       if (inside || (to.defined && !objects_.sections()[to.defined->section].is_code)) continue;
       if (const auto callee = objects_.FunctionOf(to)) {
         callees[i].push_back(*callee);

@@ -115,6 +115,7 @@ class RiscvLifter {
   void Branch(llvm::Value* condition, unsigned operand);
   void JumpBy(unsigned operand);
   void JumpIndirect();
+  bool IsFarCallHere() const;
   /// The note of the far call that begins with the auipc in front.
   const Link* FarCall() const;
   FunctionLifter& lifter_;
@@ -177,7 +178,9 @@ llvm::Value* RiscvLifter::Compute(llvm::Value* a, llvm::Value* b) {
 std::optional<Place> RiscvLifter::UpperOf(const Link& link) const {
   if (!link.defined) return std::nullopt;
   constexpr uint64_t kLargest = 0x800;  // of blocks that have one upper part wherever they are
-  const uint64_t align = std::min(lifter_.program().objects().sections()[link.defined->section].align, kLargest);
+  const Section& section = lifter_.program().objects().sections()[link.defined->section];
+  uint64_t align = std::min(std::max<uint64_t>(section.align, 1), kLargest);
+  if (section.merges != 0) align = section.has_texts ? 1 : std::min(align, section.merges & (~section.merges + 1));
   const uint64_t at = link.defined->offset + static_cast<uint64_t>(link.addend);
   return Place{link.defined->section, at / align * align};
 }
@@ -185,11 +188,12 @@ std::optional<Place> RiscvLifter::UpperOf(const Link& link) const {
 /// The register must hold the upper part of that address, and of no other one.
 llvm::Value* RiscvLifter::Address(uint64_t pc_note, uint64_t absolute_note) {
   const Link* symbol = lifter_.LinkAt({absolute_note});
-  AddressPart part = AddressPart::kUpper;
+  AddressPart part = AddressPart::kUpper, relaxed = AddressPart::kRelaxedUpper;
   std::optional<Place> upper = symbol != nullptr ? UpperOf(*symbol) : std::nullopt;
   if (const Link* counter = lifter_.LinkAt({pc_note})) {
     // It names the place of the `auipc`, whose own note has the symbol.
     part = AddressPart::kCounterUpper;
+    relaxed = AddressPart::kRelaxedCounterUpper;
     upper = counter->defined;
     const bool here = upper && upper->section == lifter_.function().place.section && counter->addend == 0;
     const auto [first, last] = lifter_.section().links.equal_range(here ? upper->offset : ~uint64_t{0});
@@ -210,7 +214,11 @@ llvm::Value* RiscvLifter::Address(uint64_t pc_note, uint64_t absolute_note) {
     lifter_.Refuse("the address of " + symbol->symbol);
     return lifter_.Number(0);
   }
-  lifter_.Demand(build_.CreateICmpEQ(Get(1), lifter_.PartOf(part, *upper)));
+  llvm::Value* fits = build_.CreateICmpEQ(Get(1), lifter_.PartOf(part, *upper));
+  // Where the linker has left out the upper half it has changed this one, if it may.
+  if (lifter_.MayBeRelaxed())
+    fits = build_.CreateOr(fits, build_.CreateICmpEQ(Get(1), lifter_.PartOf(relaxed, *upper)));
+  lifter_.Demand(fits);
   return address;
 }
 
@@ -222,7 +230,9 @@ void RiscvLifter::SetUpper(const Link& link) {
     lifter_.Refuse("the address of " + link.symbol);
     return;
   }
-  Set(0, lifter_.PartOf(counter ? AddressPart::kCounterUpper : AddressPart::kUpper, *place));
+  const AddressPart whole = counter ? AddressPart::kCounterUpper : AddressPart::kUpper;
+  const AddressPart relaxed = counter ? AddressPart::kRelaxedCounterUpper : AddressPart::kRelaxedUpper;
+  Set(0, lifter_.PartOf(lifter_.MayBeRelaxed() ? relaxed : whole, *place));
 }
 
 void RiscvLifter::SetConstant() {
@@ -234,6 +244,7 @@ void RiscvLifter::SetConstant() {
   const bool counter = row_.form == Form::kUpperOfCounter;
   if (counter && lifter_.LinkAt({llvm::ELF::R_RISCV_CALL, llvm::ELF::R_RISCV_CALL_PLT}) != nullptr) {
     Set(0, lifter_.Unknown());  // a part of the function's address; the call is at the jump
+    if (!IsFarCallHere()) lifter_.Refuse("a call whose two halves do not fit together");
     return;
   }
   const Link* link =
@@ -271,7 +282,9 @@ bool RiscvLifter::IsOfWholeFunction(const Link& link) {
 void RiscvLifter::Branch(llvm::Value* condition, unsigned operand) {
   const Link* link = lifter_.LinkAt({llvm::ELF::R_RISCV_BRANCH, llvm::ELF::R_RISCV_RVC_BRANCH});
   if (link == nullptr) {
-    lifter_.BranchIf(condition, lifter_.current().address + static_cast<uint64_t>(NumberAt(operand)));
+    const uint64_t target = lifter_.current().address + static_cast<uint64_t>(NumberAt(operand));
+    if (lifter_.MayMoveTo(target)) lifter_.Refuse("a branch that the linker does not know of");
+    lifter_.BranchIf(condition, target);
   } else if (const auto target = lifter_.TargetOf(*link)) {
     lifter_.BranchIf(condition, *target);
   } else {
@@ -282,12 +295,24 @@ void RiscvLifter::Branch(llvm::Value* condition, unsigned operand) {
 void RiscvLifter::JumpBy(unsigned operand) {
   const Link* link = lifter_.LinkAt({llvm::ELF::R_RISCV_JAL, llvm::ELF::R_RISCV_RVC_JUMP});
   if (link == nullptr) {
-    lifter_.JumpTo(lifter_.current().address + static_cast<uint64_t>(NumberAt(operand)));
+    const uint64_t target = lifter_.current().address + static_cast<uint64_t>(NumberAt(operand));
+    if (lifter_.MayMoveTo(target)) lifter_.Refuse("a branch that the linker does not know of");
+    lifter_.JumpTo(target);
   } else if (const auto target = lifter_.TargetOf(*link)) {
     lifter_.JumpTo(*target);
   } else if (IsOfWholeFunction(*link)) {
     lifter_.TailCall(*link);
   }
+}
+
+/// The linker puts the address into both instructions: they must be what it takes them for.
+bool RiscvLifter::IsFarCallHere() const {
+  const compile::audit::Instruction* jump = lifter_.next();
+  if (jump == nullptr || jump->address != lifter_.current().address + 4) return false;
+  const compile::audit::MachineCode& machine = lifter_.program().machine();
+  return machine.OpcodeName(jump->inst) == "JALR" &&
+         machine.registers().getEncodingValue(jump->inst.getOperand(1).getReg()) == RegisterAt(0) &&
+         jump->inst.getOperand(2).isImm() && jump->inst.getOperand(2).getImm() == 0;
 }
 
 const Link* RiscvLifter::FarCall() const {
