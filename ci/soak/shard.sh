@@ -18,5 +18,15 @@ fi
 mkdir -p "$folder"
 # What is found is told by the merge: a batch system takes 1 for a job that failed.
 code=0
-"${PLCXX:-plcxx}" soak "$@" --shard "$part/$parts" -o "$folder/shard-$part" || code=$?
+"${PLCXX:-plcxx}" soak "$@" --shard "$part/$parts" -o "$folder/shard-$part" &
+soak=$!
+code=0
+# A batch system that is out of time asks this script to end, and not what it runs; a soak that is asked keeps everything.
+trap 'kill -TERM "$soak" 2>/dev/null || :' TERM INT HUP
+wait "$soak" || code=$?
+# The wait ends with the signal, the soak some seconds later.
+while kill -0 "$soak" 2>/dev/null; do
+  code=0
+  wait "$soak" || code=$?
+done
 [ "$code" -le 1 ] || exit "$code"

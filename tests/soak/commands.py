@@ -197,11 +197,25 @@ def how_it_ends(place):
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         time.sleep(4)
         ran.send_signal(number)
+        time.sleep(0.2)
+        ran.send_signal(number)  # as timeout does, which sends it to its child and to the group
         out, errors = ran.communicate(timeout=60)
         expect(ran.returncode == 1 and "never U4A0 and U4A1" in out and "ended by a signal" in out, f"{name}: {ran.returncode}\n{out}{errors}")
         record = json.loads((work / name / "soak.json").read_text())
         expect(record["ended_by_signal"] and not record["ended_by_time"] and record["corpus"], "the record of what was kept")
         expect((work / name / "property-never-u4a0-and-u4a1.yaml").exists(), "the finding is not kept")
+
+    (work / "calm.plc").write_text("$\nU4A0 = I0A0\n")
+    ran = subprocess.run([ROOT / "ci/soak/shard.sh", "calm", "calm.plc", "--for", "1min"], cwd=work,
+                         env={**clean(), "CI_NODE_INDEX": "1", "CI_NODE_TOTAL": "2"}, capture_output=True, text=True)
+    expect(ran.returncode == 0 and "found: nothing" in ran.stdout, "a part that finds nothing", ran)
+    # A batch system ends the script.
+    ran = subprocess.Popen([ROOT / "ci/soak/shard.sh", "batch", "door.plc", "--for", "100000h"], cwd=work,
+                           env={**clean(), "CI_NODE_INDEX": "1", "CI_NODE_TOTAL": "2"}, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(4)
+    ran.send_signal(signal.SIGTERM)
+    out, errors = ran.communicate(timeout=60)
+    expect(ran.returncode == 0 and (work / "batch/shard-1/soak.json").exists(), f"the part is lost: {ran.returncode}\n{out}{errors}")
 
     # What a fleet saw at last is looked at, too.
     (work / "deep.plc").write_text(DEEP)

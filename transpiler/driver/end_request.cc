@@ -5,17 +5,29 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <ctime>
 
 namespace plcxx::driver {
 namespace {
 
 constexpr std::array kRequests = {SIGINT, SIGTERM, SIGHUP};
 std::array<struct sigaction, kRequests.size()> actions_before;
-std::atomic<bool> is_requested = false, are_ignored = false;
+std::atomic<bool> are_ignored = false;
+std::atomic<int64_t> requested_s = 0;  // 0: not yet
+constexpr int64_t kOneRequestSeconds = 3;
+
+int64_t NowSeconds() {
+  timespec now = {};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec + 1;
+}
 
 /// System calls and atomic values only: it is a signal handler.
 void TakeRequest(int signal) {
-  if (!is_requested.exchange(true) || are_ignored) return;
+  int64_t none = 0;
+  const int64_t now = NowSeconds();
+  if (requested_s.compare_exchange_strong(none, now) || are_ignored || now - requested_s < kOneRequestSeconds) return;
   for (size_t i = 0; i < kRequests.size(); ++i) {
     if (kRequests[i] != signal) continue;
     sigaction(signal, &actions_before[i], nullptr);
@@ -41,7 +53,7 @@ EndRequest::~EndRequest() {
   for (size_t i = 0; i < kRequests.size(); ++i) sigaction(kRequests[i], &actions_before[i], nullptr);
 }
 
-bool EndRequest::IsMade() { return is_requested; }
+bool EndRequest::IsMade() { return requested_s != 0; }
 
 void EndRequest::IgnoreFurther() { are_ignored = true; }
 
