@@ -11,7 +11,8 @@ namespace plcxx::hnc {
 
 namespace {
 
-constexpr uint32_t kMostData = 60000;  // 5.6
+constexpr uint32_t kMostData = 60000;       // 5.6
+constexpr uint32_t kMostSummed = 1U << 30;  // far beyond what is accepted, and the sum of two still fits
 constexpr uint32_t kArgumentBytes = 8;
 
 ir::Zone ZoneOf(Area area, uint32_t bytes) {
@@ -187,7 +188,7 @@ void Memory::AddVariables() {
     const auto put = [&](ir::SpaceId space, uint32_t& bytes) {
       object_space_[i] = space;
       object_begin_[i] = bytes;
-      bytes += object.size;
+      bytes = static_cast<uint32_t>(std::min<uint64_t>(kMostSummed, uint64_t{bytes} + object.size));
     };
     switch (object.kind) {
       case ObjectKind::kArea:

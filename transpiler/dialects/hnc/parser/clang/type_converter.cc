@@ -6,6 +6,11 @@
 #include <utility>
 
 namespace plcxx::hnc {
+namespace {
+
+constexpr uint64_t kMostBytes = 0xFFFFFFFF;  // sizes count to here; far smaller ones are refused
+
+}  // namespace
 
 std::string TypeConverter::TextOf(clang::QualType type) const {
   return type.getUnqualifiedType().getAsString(context_.getPrintingPolicy());
@@ -112,7 +117,7 @@ TypeId TypeConverter::Describe(clang::QualType type) {
       result.count = static_cast<uint32_t>(constant->getSize().getLimitedValue(0xFFFFFFFF));
     }
     const uint64_t size = uint64_t{result.count} * unit_.types[result.element].size;
-    result.size = static_cast<uint32_t>(std::min<uint64_t>(size, 0xFFFFFFFF));
+    result.size = static_cast<uint32_t>(std::min<uint64_t>(size, kMostBytes));
     return Add(std::move(result));
   }
   if (const auto* record = type->getAs<clang::RecordType>()) {
@@ -175,7 +180,8 @@ void TypeConverter::FillMembers(const clang::RecordDecl* record, RecordId id) {
     members.push_back(std::move(member));
   }
   unit_.records[id].members = std::move(members);
-  unit_.records[id].size = static_cast<uint32_t>(layout.getSize().getQuantity());
+  unit_.records[id].size =
+      static_cast<uint32_t>(std::min<uint64_t>(kMostBytes, static_cast<uint64_t>(layout.getSize().getQuantity())));
 }
 
 }  // namespace plcxx::hnc
