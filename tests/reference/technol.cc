@@ -93,15 +93,22 @@ void TechnolReference::StoreRetentive() {
   stored_table_ = Area(technol::Area::kTabTechnol).bytes();
 }
 
-void TechnolReference::RunFastOnly(uint32_t /*now_ms*/) { RunModule(ModuleKind::kFast); }
+void TechnolReference::RunFastOnly(uint32_t /*now_ms*/) {
+  if (FindModule(program_, ModuleKind::kFast).valid()) ResetCleared();
+  RunModule(ModuleKind::kFast);
+}
 
-void TechnolReference::RunPeriod(uint32_t /*now_ms*/) {
-  Call("read_inputs");
+/// What the host has cleared is as after MECH_INIT with mech-clear=abort (7.1): any part that runs sees it.
+void TechnolReference::ResetCleared() {
   for (uint32_t i = 0; i < program_.units.size() && settings_.mech_clear == technol::MechClear::kAbort; ++i) {
-    // The host has cleared it (7.1).
     const bool mechanism = program_.units[UnitId(i)].kind == technol::UnitKind::kMechanism;
     if (mechanism && (memories_.back()[mechanisms_[i]] & 1) == 0) Reset(UnitId(i));
   }
+}
+
+void TechnolReference::RunPeriod(uint32_t /*now_ms*/) {
+  Call("read_inputs");
+  ResetCleared();
   if (SystemBit(kSysNc, kClearBit)) {
     RunModule(ModuleKind::kClear);
     ClearSystemBit(kSysNc, kClearBit);

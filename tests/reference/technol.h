@@ -81,6 +81,7 @@ class TechnolReference : public Reference {
   void RunMechanism(technol::UnitId unit);
   Next RunUnit(technol::UnitId unit, uint32_t from);
   void Reset(technol::UnitId unit);
+  void ResetCleared();
   Next Stop(technol::UnitId mechanism);
   void ClearRegisters();
   bool SystemBit(uint32_t byte, uint32_t bit) const;

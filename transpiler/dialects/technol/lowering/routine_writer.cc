@@ -90,6 +90,8 @@ void RoutineWriter::Begin() {
   const Routine& routine = *frame_.routine;
   builder_.SetRegion(program_.routines[routine.id].body);
   builder_.SetRange({});
+  // Its pass may set the bit again that the host has cleared since the pass before.
+  if (routine.unit.valid() && tree_.units[routine.unit].module == ModuleKind::kFast) schedule_.BeginFast();
   registers_.Begin([this](std::string_view name, Type type) { return locals_(name, type); });
   if (routine.unit.valid()) {
     registers_.Zero();

@@ -64,6 +64,8 @@ void Schedule::RunFunctions(ModuleKind kind, std::string_view bit) {
   }
 }
 
+void Schedule::BeginFast() { mechanisms_.RewindCleared(); }
+
 void Schedule::Slow() {
   builder_.SetRange({});
   builder_.SetRegion(program_.routines[slow_].body);

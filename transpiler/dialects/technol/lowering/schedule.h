@@ -23,6 +23,8 @@ class Schedule : Context {
   ir::RoutineId fast() const { return fast_; }
   /// What power-on does before MODULE_INIT.
   void LowerPowerOn();
+  /// What a fast pass does before MODULE_FAST.
+  void BeginFast();
   /// Everything else: when all routines are lowered.
   void Lower();
 
