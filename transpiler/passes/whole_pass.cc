@@ -125,12 +125,14 @@ std::optional<WholePass> MakeWholePass(ir::Program& program, std::span<const Byt
   if (!call || schedule.fast_ms != 0 || schedule.fast_done.valid()) return std::nullopt;
   WholePass pass{.slices = program.routines[call->routine].slices, .slice = call->counter, .inputs = {}};
   for (uint32_t i = 0; i < pass.slices; ++i) {
+    // Inputs, so that a run tells them although they stay as they are.
+    const ir::Zone zone{.begin = 0, .end = 8 * static_cast<uint32_t>(bytes.size()), .direction = ir::Direction::kInput};
     pass.inputs.push_back(program.spaces.Add({.name = "inputs of slice " + std::to_string(i),
                                               .title = {},
                                               .bytes = static_cast<uint32_t>(bytes.size()),
                                               .host_visible = true,
                                               .part_of = {},
-                                              .zones = {},
+                                              .zones = {zone},
                                               .initial = {},
                                               .constants = {}}));
   }

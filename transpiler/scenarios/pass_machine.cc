@@ -17,14 +17,14 @@ using execute::CellId;
 using prove::machine::Version;
 using prove::properties::InputValue;
 
-/// Of what the program reads, what somebody else sets or takes back between two of its periods.
+/// Of what the program reads or writes, what somebody else sets or takes back between two of its periods.
 std::vector<passes::ByteBetweenSlices> BytesBetweenSlices(const Version& version) {
   const std::vector<bool> inputs = prove::machine::InputsOf(version);
   const std::vector<bool> requests = prove::machine::RequestCells(version);
-  const std::vector<bool> reads = prove::machine::UsesOf(version).reads;
+  const prove::machine::Uses uses = prove::machine::UsesOf(version);
   std::vector<passes::ByteBetweenSlices> bytes;
   for (uint32_t i = 0; i < version.cells.calls; ++i) {
-    if (!reads[i] || (!inputs[i] && !requests[i])) continue;
+    if (!(uses.reads[i] || uses.writes[i]) || !(inputs[i] || requests[i])) continue;
     const execute::Cell cell = execute::CellAt(*version.program, version.cells, CellId(i));
     if (cell.kind != execute::CellKind::kBit) continue;
     if (bytes.empty() || bytes.back().space != cell.space || bytes.back().offset != cell.offset)
@@ -126,6 +126,7 @@ prove::properties::PropertyRun FromPass(const prove::properties::PropertyRun& ru
     }
   }
   std::map<CellId, bool> now;
+  const std::vector<bool> writes = prove::machine::UsesOf(machine.version).writes;
   for (auto& period : same.periods) {
     std::vector<std::vector<InputValue>> slices(pass.pass.slices);
     for (const InputValue& value : period.front()) {
@@ -142,7 +143,8 @@ prove::properties::PropertyRun FromPass(const prove::properties::PropertyRun& ru
         const CellId cell = machine.version.cells.OfBit(byte.space, byte.offset, at.second);
         if ((byte.taken_back >> at.second & 1) != 0) {
           if (value) slices[slice].push_back({cell, false});
-        } else if (const auto before = now.find(cell); before == now.end() || before->second != value) {
+        } else if (const auto before = now.find(cell);
+                   before == now.end() || before->second != value || writes[cell.index]) {
           slices[slice].push_back({cell, value});
           now[cell] = value;
         }

@@ -120,6 +120,30 @@ TEST(WholeMachine, TheFastPartRunsInEachSlice) {
   EXPECT_EQ(plain.code, 0) << plain;
 }
 
+/// What the program writes and never reads may be another before the last slice, too.
+TEST(WholeMachine, OthersWriteBetweenSlices) {
+  const std::string statement[] = {"U10N5=1", "U0A5=1", "U9K17=1"}, named[] = {"U10N5", "I0A5", "U9K17"};
+  for (size_t i = 0; i < 3; ++i) {
+    const Workplace work;
+    const Ran ran =
+        Prove(work, "m.plc", "$\n" + statement[i] + "\nU4A0=1\n", "always " + named[i] + "\n", "--set slices=2");
+    EXPECT_EQ(ran.code, 1) << ran;
+    ExpectShown(work);
+  }
+}
+
+/// What holds with the slow part in one piece says nothing of slices, and what does not hold there neither.
+TEST(WholeMachine, AFastPartThatRunsInEachSliceIsFollowed) {
+  const Workplace work;
+  const Ran violated =
+      Prove(work, "m.plc", "U4A2=/U4A2&I0A1\n$\nU4A0=I0A1\nU4A1=I0A2\n", "never U4A2 and I0A3\n", "--set slices=2");
+  EXPECT_EQ(violated.code, 1) << violated;
+  ExpectShown(work);
+  const Ran proved =
+      Prove(work, "m.plc", "U4A2=/U4A2\n$\nU4A0=I0A1\nU4A1=I0A2\n", "always not U4A2\n", "--set slices=2");
+  EXPECT_EQ(proved.code, 0) << proved;
+}
+
 /// The control brings memory back by the byte; the last one has bits that no program can name.
 TEST(WholeMachine, KeptBitsAreWhatTheyWere) {
   const Workplace work;

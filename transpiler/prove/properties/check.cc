@@ -19,8 +19,8 @@ constexpr uint32_t kFirstInductionShare = 8, kInductionShare = 2;
 constexpr uint32_t kMostQuickMs = 1500;
 constexpr uint32_t kMostQuickWindow = 20;
 constexpr std::chrono::seconds kRemarkTime{5};
-constexpr std::chrono::milliseconds kLeastSlicesTime{1000};  // whatever is left of the time
-constexpr std::chrono::milliseconds kDeepenedTime{1500};     // before runs are tried for long
+constexpr uint32_t kWholeShare = 2;                       // of the time, for the slow part in one piece
+constexpr std::chrono::milliseconds kDeepenedTime{1500};  // before runs are tried for long
 
 /// Whether a violated property speaks of an output that no statement writes: the run sets it like an input.
 std::string RemarkOnOutputs(const CheckedProgram& checked, const Property& property) {
@@ -38,13 +38,17 @@ std::string RemarkOnOutputs(const CheckedProgram& checked, const Property& prope
 }  // namespace
 
 PropertyResult PropertyChecker::Check(const Property& property) {
-  checked_.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(checked_.options.time_ms);
+  const CheckOptions& options = checked_.options;
+  checked_.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(options.time_ms);
   trials_.Begin();
-  PropertyResult result = CheckInTime(property);
+  PropertyResult result;
+  const auto check = [&] { return CheckInTime(property); };
+  const bool in_slices = options.slices > 1 && options.check_in_slices;
+  result = in_slices ? Within(checked_.RestMs() / kWholeShare, checked_, check) : check();
   if (result.verdict == PropertyVerdict::kViolated) trials_.PreferPlanted(property, result);
   // The time may end between two steps.
   if (result.verdict == PropertyVerdict::kUndecided && result.reason.empty()) result.reason = kNoTime;
-  if (result.verdict == PropertyVerdict::kProved && checked_.options.slices > 1) CheckInSlices(property, result);
+  if (result.verdict != PropertyVerdict::kViolated && options.slices > 1) CheckInSlices(property, result);
   if (result.verdict == PropertyVerdict::kProved) result.remark = RemarkOn(property);
   if (result.verdict == PropertyVerdict::kViolated) result.remark = RemarkOnOutputs(checked_, property);
   return result;
@@ -52,20 +56,21 @@ PropertyResult PropertyChecker::Check(const Property& property) {
 
 void PropertyChecker::CheckInSlices(const Property& property, PropertyResult& result) {
   const CheckOptions& options = checked_.options;
+  const bool was_proved = result.verdict == PropertyVerdict::kProved;
   std::optional<PropertyResult> in_slices;
   if (options.check_in_slices) {
     checked_.Report("slice by slice");
-    in_slices = options.check_in_slices(property, std::max<uint64_t>(checked_.RestMs(), kLeastSlicesTime.count()));
+    in_slices = options.check_in_slices(property, std::max(1U, checked_.RestMs()));
   }
   const std::string slices = std::to_string(options.slices) + " slices of a slow pass";
-  if (in_slices) {
-    const bool is_proved = in_slices->verdict == PropertyVerdict::kProved;
+  if (in_slices && in_slices->verdict != PropertyVerdict::kUndecided) {
     result = *std::move(in_slices);
-    result.in_slices = is_proved;
-    if (result.verdict == PropertyVerdict::kUndecided)
-      result.reason =
-          "proved only where no input changes between the " + slices + "; with inputs that do, " + result.reason;
-  } else if (DependsOnFastPart(property)) {
+    result.in_slices = true;
+  } else if (in_slices && was_proved) {
+    const std::string reason = "proved only where no input changes between the " + slices + "; with inputs that do, ";
+    result = *std::move(in_slices);
+    result.reason = reason + result.reason;
+  } else if (was_proved && DependsOnFastPart(property)) {
     result.verdict = PropertyVerdict::kUndecided;
     result.reason = "the fast part, on which it depends, runs in each of the " + slices +
                     ", behind what they have done so far: that is not followed";

@@ -3,7 +3,7 @@
 // Runs from power-on are searched, one period deeper each time, for one that violates it. Between two depths
 // k-induction is tried: from any state, k periods without a violation are followed by another one. When that fails,
 // invariants of the program are found and proved (prove/invariants) and assumed, then those that the property asks
-// for (reachable.h). The slow part is one piece here, however it is sliced; what is proved of it is checked again slice
+// for (reachable.h). The slow part is one piece here, however it is sliced; what no run violates is checked again slice
 // by slice by whoever knows the slices. In: a structured program, a property. Out:
 // a verdict. Not its job: words about it, replaying runs.
 #pragma once
@@ -35,7 +35,7 @@ class PropertyChecker {
  private:
   PropertyResult CheckInTime(const Property& property);
   bool TryInduction(const Property& property, uint32_t k, PropertyResult& result);
-  /// What is left of a proof with the slow part in one piece when inputs change between its slices.
+  /// What is left of the verdict with the slow part in one piece when inputs change between its slices.
   void CheckInSlices(const Property& property, PropertyResult& result);
   /// Whether the property depends on what the fast part makes of more than inputs: in slices it runs in each of them.
   bool DependsOnFastPart(const Property& property);
