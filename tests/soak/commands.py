@@ -333,6 +333,23 @@ def main():
         ran = soak(work, "--merge", "never", "both", "other-seed")
         expect(ran.returncode == 2 and "is there twice (seed 2" in ran.stderr, "what was merged counts twice", ran)
 
+        # Two findings of one name are two files, each with its own property.
+        for last in ("U4A0", "U4A1"):
+            (work / "long.prop").write_text("never " + "U4A0 and " * 8 + last + "\n")
+            ran = soak(work, "door.plc", "--property", "long.prop", "--for", "1min", "-o", f"long-{last}")
+            expect(ran.returncode == 1, "the property holds", ran)
+        ran = soak(work, "--merge", "long", "long-U4A0", "long-U4A1")
+        found = [finding["file"] for finding in json.loads((work / "long/soak.json").read_text())["findings"]] if ran.returncode == 1 else []
+        expect(len(set(found)) == 2, f"findings of one name: {found}", ran)
+        for name, last in zip(found, ("U4A0", "U4A1")):
+            expect(f"and {last}\n" in (work / "long" / name).read_text().replace("'", ""), f"{name} is another finding")
+        # A run that cannot be read is left out of what is merged.
+        for cut in (work / "long-U4A0/corpus").iterdir():
+            cut.write_text("garbage: [")
+        ran = soak(work, "--merge", "cut", "long-U4A0")
+        expect(ran.returncode == 1 and "is left out" in ran.stderr and not list((work / "cut/corpus").iterdir()),
+               "a run that cannot be read is merged", ran)
+
         # The jobs of batch systems, as local processes: each knows its part from another variable.
         scripts = ROOT / "ci/soak"
         for script, own, words in (("shard.sh", {}, "usage: shard.sh FOLDER"), ("merge.sh", {}, "usage: merge.sh FOLDER"),

@@ -13,6 +13,7 @@
 #include "transpiler/engines/platform.h"
 #include "transpiler/scenarios/property_machine.h"
 #include "transpiler/soak/simulated_machines.h"
+#include "transpiler/soak/soak.h"
 #include "transpiler/soak/trial.h"
 
 namespace plcxx::soak {
@@ -133,6 +134,55 @@ TEST_P(WideRunsTest, PromisesAreKept) {
   EXPECT_EQ(from_moments > 0, GetParam().takes_runs);
   // The last of what takes several steps was reached.
   EXPECT_GE(goals.Reached(given).Count() * 10, goals.all().size() * 9);
+}
+
+/// A soak whose time is over, or whose hours are, in its first generation.
+Soaked SoakOnce(SoakRequest& request, const scenarios::ProveMachine& machine) {
+  const Goals goals(machine.compilation.program);
+  const WatchPlan plan(machine, {});
+  const Inputs inputs(machine);
+  auto compiled = CompileWide(machine.compilation, nullptr, goals, plan,
+                              {.compiler = engines::FindCompiler(), .level = "1", .lanes = 64, .cache = {}});
+  EXPECT_TRUE(std::holds_alternative<std::shared_ptr<const WideProgram>>(compiled));
+  request.wide = std::get<std::shared_ptr<const WideProgram>>(compiled);
+  return Soak(request, goals, inputs, plan);
+}
+
+TEST(WideSoak, WhatWasSeenBeforeTheEndIsLookedAt) {
+  compilation::CompilationRequest request;
+  request.sources = {kPrograms[0].name};
+  request.texts[kPrograms[0].name] = kPrograms[0].text;
+  scenarios::ProveMachine machine;
+  scenarios::MakeProveMachine(request, machine);
+  ASSERT_TRUE(machine.compilation.ok());
+  SoakRequest wanted{.machine = machine,
+                     .request = request,
+                     .scenarios = {},
+                     .corpus = {},
+                     .make = SimulatedMachines(machine.compilation, nullptr),
+                     .wide = {},
+                     .plant = {},
+                     .machines = kWideMachines,
+                     .machine_ms = uint64_t{kWideMachines} * 1'000,
+                     .end = {},
+                     .is_asked_to_end = {},
+                     .until = {},
+                     .directory = {},
+                     .is_taken = {},
+                     .progress = {}};
+  const Soaked whole = SoakOnce(wanted, machine);
+  // And what is repeated.
+  EXPECT_LT(whole.machine_ms / kWideMachines, 1'100U) << "a wait goes further than the hours";
+  EXPECT_GT(whole.reached.Count(), 0U);
+
+  // Asked for the first time before the generation begins, then after some of its scans.
+  int times = 0;
+  wanted.is_asked_to_end = [&times] { return ++times > 3; };
+  wanted.machine_ms *= 1'000;
+  const Soaked ended = SoakOnce(wanted, machine);
+  EXPECT_TRUE(ended.was_asked_to_end);
+  EXPECT_GT(ended.wide_parts, 0U);
+  EXPECT_GT(ended.reached.Count(), 0U) << "the scans count, and what they came to is lost";
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, WideRunsTest, testing::ValuesIn(kPrograms), [](const auto& test) {
