@@ -442,6 +442,15 @@ f: movs r1, #5
   EXPECT_EQ(Meaning("cortex-m4", {text}), "5");
 }
 
+TEST(ObjectCode, FunctionsAreNotWritten) {
+  const auto file = [](const std::string& flags) {
+    return "  .section .text.f, \"" + flags + "\"\n  .globl f\n  .type f, @function\nf: ret\n  .size f, . - f\n";
+  };
+  if (Meaning("rv32imac", {file("ax")}) == "no compiler") GTEST_SKIP();
+  EXPECT_EQ(Meaning("rv32imac", {file("ax")}), "0");
+  EXPECT_EQ(Meaning("rv32imac", {file("awx")}), "a function that can be written: f");
+}
+
 TEST(ObjectCode, WhatRunsByItselfIsRefused) {
   const std::string text = "  .text\n  .globl f\n  .type f, @function\nf: ret\n  .size f, . - f\n";
   if (Meaning("rv32imac", {text}) == "no compiler") GTEST_SKIP();

@@ -65,6 +65,28 @@ constexpr Mutation kOfHost[] = {
      "kept;"},
 };
 
+/// Of how functions are called.
+constexpr Mutation kOfCalls[] = {
+    {"calling_convention", "turret.cpp", "#include \"turret.hpp\"",
+     "#include <stdint.h>\nnamespace turret { struct Host; struct State; __attribute__((preserve_most)) void "
+     "axis_stop(Host& host, State& m, uint16_t a) noexcept; }\n#include \"turret.hpp\""},
+    {"section", "turret.cpp", "#include \"turret.hpp\"",
+     "namespace turret { struct Host; struct State; [[gnu::section(\".noinit\")]] void init(State& m, Host& host) "
+     "noexcept; "
+     "}\n#include \"turret.hpp\""},
+    {"number_with_sign", "turret.cpp", "axis_jog(host, m, 3, m[last]);",
+     "void jog(Host&, State&, uint16_t, int16_t) noexcept __asm__(\"_ZN6turret8axis_jogERNS_4HostERNS_5StateEtt\"); "
+     "jog(host, m, 3, static_cast<int16_t>(m[last]));"},
+    {"behind_an_object", "turret.cpp", "m[X1] = m[Y2] ^ 0x55;",
+     "m[X1] = m[Y2] ^ 0x55; if (reinterpret_cast<char*>(&m) + sizeof(State) == reinterpret_cast<char*>(&host)) "
+     "m[X1] = 0;"},
+    {"asks_the_machine", "turret.cpp", "m[X1] = m[Y2] ^ 0x55;",
+     "m[X1] = m[Y2] ^ 0x55; if (__builtin_flt_rounds() != 1) m[X1] = 0;"},
+    {"library_function", "turret.cpp", "#include \"turret.hpp\"",
+     "#include <stddef.h>\nextern \"C\" void* memset(void* p, int, size_t) noexcept { return p; }\n"
+     "#include \"turret.hpp\""},
+};
+
 constexpr Mutation kUnusual[] = {
     // Of values.
     {"shift_by_one_less", "turret.cpp", "ShiftRight16(m[word], 13)", "ShiftRight16(m[word], 12)"},
@@ -130,6 +152,7 @@ constexpr size_t kOneIn = 8;  // in a normal run
 std::vector<Change> AllChanges() {
   std::vector<Change> all;
   for (const Mutation& mutation : kOfHost) all.push_back({&mutation, "plc1", Outcome::kCaught});
+  for (const Mutation& mutation : kOfCalls) all.push_back({&mutation, "plc1", Outcome::kCaught});
   for (const Mutation& mutation : kUnusual) all.push_back({&mutation, "plc2", Outcome::kCaught});
   for (const Mutation& mutation : kAsBefore) all.push_back({&mutation, "plc2", Outcome::kProved});
   return all;

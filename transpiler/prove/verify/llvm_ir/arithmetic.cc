@@ -89,11 +89,28 @@ terms::TermId Arithmetic::ComparePointers(const llvm::ICmpInst& inst) {
   terms::TermId equal = terms_.Bit(false);
   for (const Target& one : a.targets) {
     for (const Target& other : b.targets) {
-      if (one.object != other.object) continue;
+      if (one.object != other.object) {
+        RequireTold(one, other);
+        continue;
+      }
       equal = terms_.Or(equal, terms_.And(terms_.And(one.when, other.when), terms_.Eq(one.offset, other.offset)));
     }
   }
   return inst.getPredicate() == llvm::CmpInst::ICMP_EQ ? equal : terms_.Not(equal);
+}
+
+/// Addresses in two objects are not equal; one behind an object may be another one's.
+void Arithmetic::RequireTold(const Target& one, const Target& other) {
+  if (run_.language != CodeRun::Language::kCpp) return;
+  const auto is_inside = [this](const Target& target) {
+    const Object& object = objects_[target.object];
+    if (object.kind == ObjectKind::kNull) return terms_.Eq(target.offset, terms_.Const(0, 64));
+    const uint64_t bytes = object.kind == ObjectKind::kHost ? 1 : object.bytes;  // nobody knows how many the host has
+    return terms_.Ult(target.offset, terms_.Const(bytes, 64));
+  };
+  const terms::TermId both = terms_.And(one.when, other.when);
+  Require(terms_.And(both, terms_.Not(terms_.And(is_inside(one), is_inside(other)))),
+          "a comparison of an address that is behind its object");
 }
 
 terms::TermId Arithmetic::Compare(const llvm::ICmpInst& inst) {

@@ -24,6 +24,7 @@ class Arithmetic : private ExecutionPart {
   terms::TermId WithoutSign(terms::TermId divisor);
   terms::TermId Divide(const llvm::BinaryOperator& inst, terms::TermId a, terms::TermId b);
   terms::TermId ComparePointers(const llvm::ICmpInst& inst);
+  void RequireTold(const Target& one, const Target& other);
 
   CodeValues& values_;
   Poison& poison_;

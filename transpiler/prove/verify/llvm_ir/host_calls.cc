@@ -1,5 +1,7 @@
 #include "transpiler/prove/verify/llvm_ir/host_calls.h"
 
+#include <llvm/TargetParser/Triple.h>
+
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -33,6 +35,17 @@ HostArgument HostCalls::ArgumentOf(const CodeValue& value) {
           .bytes = object.bytes - offset};
 }
 
+/// Whether what stands above a narrow number is 0 at the call, where callers see to that.
+bool HostCalls::IsWidened(const llvm::CallInst& call) {
+  const auto is_narrow = [](const llvm::Type& type) { return type.isIntegerTy() && type.getIntegerBitWidth() < 32; };
+  for (unsigned i = 0; i < call.arg_size(); ++i) {
+    if (!is_narrow(*call.getArgOperand(i)->getType())) continue;
+    if (call.paramHasAttr(i, llvm::Attribute::SExt) || !call.paramHasAttr(i, llvm::Attribute::ZExt)) return false;
+  }
+  return !is_narrow(*call.getType()) ||
+         (call.hasRetAttr(llvm::Attribute::ZExt) && !call.hasRetAttr(llvm::Attribute::SExt));
+}
+
 CodeValue HostCalls::Call(const llvm::CallInst& call, const llvm::Function& callee, const std::string& name) {
   const llvm::Type& type = *call.getType();
   std::vector<HostArgument> arguments;
@@ -48,6 +61,11 @@ CodeValue HostCalls::Call(const llvm::CallInst& call, const llvm::Function& call
   }
   const uint8_t width = type.isVoidTy() ? uint8_t{0} : WidthOf(type);
   if (type.isPointerTy() || type.isStructTy()) Refuse("a call of " + name + ", which returns no number");
+  const llvm::Triple target(call.getModule()->getTargetTriple());
+  const bool callers_widen = target.getArch() != llvm::Triple::UnknownArch && !target.isAArch64();
+  const bool is_declared = run_.language == CodeRun::Language::kCpp && !callee.hasLocalLinkage();
+  if (is_declared && callers_widen && !IsWidened(call))
+    Refuse("a call of " + name + " that widens a number otherwise than its declaration says");
   if (refused()) return values_.AnyResult(type);
   Memory memory(*this);
   std::string refusal;

@@ -22,6 +22,7 @@ class HostCalls : private ExecutionPart {
  private:
   class Memory;
   HostArgument ArgumentOf(const CodeValue& value);
+  static bool IsWidened(const llvm::CallInst& call);
 
   CodeValues& values_;
   ObjectMemory& memory_;

@@ -233,6 +233,14 @@ CodeValue InstructionExecution::Call(const llvm::CallInst& call) {
     return values_.AnyResult(*call.getType());
   }
   const std::string& name = now_.flows.NameOf(*callee);
+  // Of functions that only the file calls the compiler may choose another one.
+  const llvm::CallingConv::ID convention = call.getCallingConv();
+  const bool is_own = convention == llvm::CallingConv::Fast && callee->hasLocalLinkage();
+  const bool keeps_other_registers =
+      call.hasFnAttr("no_caller_saved_registers") || call.hasFnAttr("no_callee_saved_registers");
+  if (convention != callee->getCallingConv() || (convention != llvm::CallingConv::C && !is_own) ||
+      keeps_other_registers)
+    Refuse("a call of " + name + " by another convention than C++ has");
   if (callee->getName().starts_with(kRefusal)) {
     Refuse(callee->getName().substr(std::char_traits<char>::length(kRefusal)).str());
     return {};

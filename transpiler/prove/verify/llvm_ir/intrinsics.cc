@@ -2,6 +2,7 @@
 
 #include <llvm/IR/Intrinsics.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -34,6 +35,15 @@ CodeValue Intrinsics::Execute(const llvm::IntrinsicInst& call) {
       return {};
     default:
       break;
+  }
+  // Others begin with a number: what asks the machine about itself has none, or a pointer.
+  const auto is_number = [this](const llvm::Type& type) {
+    return (type.isIntegerTy() || type.isFloatTy() || type.isDoubleTy()) && IsSupported(type);
+  };
+  const auto is_known = [&](const llvm::Use& argument) { return is_number(*argument->getType()); };
+  if (call.arg_size() == 0 || !std::all_of(call.arg_begin(), call.arg_end(), is_known)) {
+    Refuse("function '" + call.getCalledFunction()->getName().str() + "'");
+    return values_.AnyResult(*call.getType());
   }
   const terms::TermId poison = poison_.OfOperands(call);
   if (const auto* overflow = llvm::dyn_cast<llvm::WithOverflowInst>(&call)) {

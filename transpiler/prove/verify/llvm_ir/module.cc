@@ -107,6 +107,33 @@ std::string OutsideOfFunctions(const llvm::Module& module) {
         !(functions->hasInitializer() && functions->getInitializer()->isNullValue()))
       return "functions that run before or after the program's (" + std::string(list) + ")";
   }
+  // What is loaded from where, and when, is not for the code to say.
+  for (const llvm::Function& function : module) {
+    if (!function.isDeclaration() && function.hasSection())
+      return "a function in a section that it names (" + function.getSection().str() + ")";
+  }
+  return {};
+}
+
+/// A name that no function of C++ has: what the compiler takes for its library's (memset, __udivdi3), it calls without
+/// saying so. Empty: there is none.
+std::string NameOfLibrary(const llvm::Module& module) {
+  const auto is_plain = [](const llvm::GlobalValue& value) {
+    return !value.isDeclaration() && !value.getName().starts_with("_Z");
+  };
+  for (const llvm::Function& function : module) {
+    if (is_plain(function)) return function.getName().str();
+  }
+  for (const llvm::GlobalAlias& alias : module.aliases()) {
+    if (is_plain(alias)) return alias.getName().str();
+  }
+  for (const llvm::GlobalIFunc& choice : module.ifuncs()) {
+    if (is_plain(choice)) return choice.getName().str();
+  }
+  for (const llvm::GlobalVariable& variable : module.globals()) {
+    if (is_plain(variable) && !variable.hasLocalLinkage() && !variable.getName().starts_with("llvm."))
+      return variable.getName().str();
+  }
   return {};
 }
 
@@ -123,6 +150,10 @@ std::unique_ptr<CompiledCode> ReadBitcode(std::span<const std::string> bitcode, 
     }
     if (const std::string outside = OutsideOfFunctions(**module); !outside.empty()) {
       reason = "the code has " + outside;
+      return nullptr;
+    }
+    if (const std::string name = NameOfLibrary(**module); source == nullptr && !name.empty()) {
+      reason = "the code defines a name that is not of C++ (" + name + ")";
       return nullptr;
     }
     if (all == nullptr) {

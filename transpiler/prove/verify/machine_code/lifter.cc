@@ -188,6 +188,7 @@ void FunctionLifter::Run() {
     builder_.CreateUnreachable();
     return;
   }
+  if (!section().is_constant) Refuse("a function that can be written: " + function().symbol);
   unknown_ = builder_.CreateAlloca(Word());
   for (unsigned i = 0; i < convention.registers; ++i) {
     registers_.push_back(builder_.CreateAlloca(Word()));

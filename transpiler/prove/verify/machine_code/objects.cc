@@ -107,8 +107,12 @@ void Objects::ReadLinks(const llvm::object::ELFObjectFileBase& file,
     if (!target || *target == file.section_end()) continue;
     const auto found = section_of.find((*target)->getIndex());
     if (found == section_of.end()) continue;
+    // ARM's linker has addends in what it writes into, RISC-V's in its notes; others are notes of no type that is
+    // known.
+    const auto usual = file.getEMachine() == llvm::ELF::EM_ARM ? llvm::ELF::SHT_REL : llvm::ELF::SHT_RELA;
+    const bool is_usual = llvm::object::ELFSectionRef(notes).getType() == usual;
     for (const llvm::object::ELFRelocationRef note : notes.relocations()) {
-      Link link{.type = note.getType(), .symbol = {}, .defined = {}};
+      Link link{.type = is_usual ? note.getType() : ~uint64_t{0}, .symbol = {}, .defined = {}};
       link.addend = ValueOr(note.getAddend()).value_or(0);
       if (note.getSymbol() != file.symbol_end()) {
         const llvm::object::ELFSymbolRef symbol(*note.getSymbol());
