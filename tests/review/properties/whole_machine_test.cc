@@ -152,6 +152,11 @@ TEST(WholeMachine, KeptBitsAreWhatTheyWere) {
   EXPECT_EQ(ran.code, 1) << ran;
   EXPECT_THAT(ran.out, HasSubstr("B500=1, power cycle"));
   ExpectShown(work);
+  // What the property alone names comes back, too.
+  const Ran named = Prove(work, "m.plc", "$\nU4A0=I0A0\nDOF: I0A1\nU0T2=1\nENDF\n", "always U0T2 is 0 or I0A1\n",
+                          "--set old=on --any-retentive");
+  EXPECT_EQ(named.code, 1) << named;
+  ExpectShown(work);
 }
 
 }  // namespace

@@ -21,7 +21,6 @@ std::vector<InputValue> RetentiveOf(CheckedProgram& checked, const Cone& cone) {
   if (checked.options.retentive != RetentiveMemory::kAny || !load.valid()) return stored;
   const std::string& name = program.host_functions[load].name;
   const terms::TermId calls = execute::CallsAfter(checked.terms, name, checked.terms.Const(0, 64), {});
-  const std::vector<bool> reads = machine::UsesOf(checked.version).reads;
   if (const terms::TermId copy = execute::HasCopy(checked.terms, name, calls);
       cone.Has(copy) && checked.solver->ValueOf(copy) == 0)
     return stored;
@@ -33,9 +32,7 @@ std::vector<InputValue> RetentiveOf(CheckedProgram& checked, const Cone& cone) {
       if (!cone.Has(byte)) continue;
       const uint64_t value = checked.solver->ValueOf(byte);
       for (uint8_t bit = 0; bit < 8; ++bit) {
-        // A byte comes whole; what stands beside in it nobody asks for, and it need not have a name.
-        const execute::CellId cell = checked.version.cells.OfBit(ir::SpaceId(i), offset, bit);
-        if (reads[cell.index]) stored.push_back({cell, (value >> bit & 1) != 0});
+        stored.push_back({checked.version.cells.OfBit(ir::SpaceId(i), offset, bit), (value >> bit & 1) != 0});
       }
     }
   }

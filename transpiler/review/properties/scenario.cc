@@ -85,9 +85,22 @@ std::string KeptBy(const scenarios::ProveMachine& machine, const prove::properti
       .name;
 }
 
+/// The control brings whole bytes back: what stands in one beside what the program uses need not have a name.
+prove::properties::PropertyRun WithoutUnused(const scenarios::ProveMachine& machine,
+                                             const prove::properties::PropertyRun& told) {
+  const prove::machine::Uses uses = prove::machine::UsesOf(machine.version);
+  prove::properties::PropertyRun run = told;
+  std::erase_if(run.before_power_on, [&](const prove::properties::InputValue& stored) {
+    if (uses.reads[stored.cell.index] || uses.writes[stored.cell.index]) return false;
+    return scenarios::WordsOf(machine, {stored.cell}).front().name.empty();
+  });
+  return run;
+}
+
 /// The steps of the run; false: an input has no name.
-bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties::PropertyRun& run,
+bool WriteSteps(const scenarios::ProveMachine& machine, const prove::properties::PropertyRun& told,
                 PropertyScenario& scenario) {
+  const prove::properties::PropertyRun run = WithoutUnused(machine, told);
   std::vector<CellId> cells;
   for (const prove::properties::InputValue& stored : run.before_power_on) cells.push_back(stored.cell);
   for (const auto& period : run.periods) {
