@@ -217,6 +217,21 @@ TEST(ReportCommand, ATableIsWrittenWhereItIsAskedFor) {
   EXPECT_THAT(folder.errors, HasSubstr("name a file with an extension, or leave -o out"));
 }
 
+// Spelled as in the source, and inside a box, where no picture has it as a name.
+TEST(ReportCommand, ASignalAsTheSourceSpellsIt) {
+  const Workplace work;
+  work.Write("a.sym", "* names\nSTART = I0A3\nLEVEL = W1K0\n");
+  work.Write("a.plc", "$\nU4A8=!START\nW130K0=[!LEVEL+1]\nU4A10=I0A4\n");
+  for (const std::string word : {"'!START'", "START", "i0a3", "I0A3"}) {
+    const Ran ran = work.Run("report a.sym a.plc --ladder-text --signal " + word);
+    EXPECT_THAT(ran.out, testing::AllOf(HasSubstr("U4A8"), testing::Not(HasSubstr("U4A10")))) << word << ran;
+  }
+  for (const std::string word : {"'!LEVEL'", "W1K0"}) {
+    const Ran ran = work.Run("report a.sym a.plc --ladder-text --signal " + word);
+    EXPECT_THAT(ran.out, testing::AllOf(HasSubstr("W130K0"), testing::Not(HasSubstr("U4A8")))) << word << ran;
+  }
+}
+
 // A name that is none gave an empty ladder and exit code 0, as if nothing drove the signal.
 TEST(ReportCommand, ASignalThatIsNone) {
   const Workplace work;

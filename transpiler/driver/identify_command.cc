@@ -31,7 +31,8 @@ constexpr const char* kIdentifyFooter = R"(Examples:
 
 FILE is what `plcxx build` or `plcxx emit --identity` made the program a part of: an object, a library, an ELF file, an
 Intel HEX file, or any image that has the bytes as they are. 64 bytes of it say the program's name, plcxx's version, and
-digests (the beginning of a SHA-256) of the sources, the options and the generated C++.
+digests (the beginning of a SHA-256) of the sources, the options and the generated C++. It is compared with a program
+only where sources, --project, --program or --all name one.
 
 Exit codes: 0 found, and of the sources given; 1 nothing found, or made from other ones, or they have errors; 2 wrong use.)";
 

@@ -370,11 +370,16 @@ int PrintLadder(const ReportOptions& options, const compilation::CompilationRequ
   const compilation::Compilation& compilation = *compiled;
   PrintDiagnosticsBeside(compilation, MessagesOf(options.common));
   if (!compilation.ok() || !compilation.has_program) return ExitCodeOf(compilation);
-  const std::string rungs = report::LadderLines(PageInput(compilation), options.signal);
-  if (rungs.empty() && !options.signal.empty()) {
-    if (!compilation.dialect->locate(ir::NameIndex(compilation.program), options.signal)) {
+  std::optional<report::WantedRungs> wanted;
+  if (!options.signal.empty()) {
+    const auto location = compilation.dialect->locate(ir::NameIndex(compilation.program), options.signal);
+    wanted = {.word = options.signal, .place = {}};
+    if (location) wanted->place = location->place;
+  }
+  const std::string rungs = report::LadderLines(PageInput(compilation), wanted);
+  if (rungs.empty() && wanted) {
+    if (!wanted->place)
       return UsageError(scenarios::NoSuchLocation(*compilation.dialect, compilation.program, options.signal));
-    }
     std::cerr << "note: no rung names '" << diag::Escaped(options.signal) << "'\n";
   }
   return std::max<int>(WriteText(options, compilation, diag::EscapedLines(rungs)), ExitCodeOf(compilation));

@@ -14,7 +14,8 @@ namespace {
 constexpr std::array<std::string_view, 3> kRevisions = {"2025-06-18", "2025-03-26", "2024-11-05"};
 
 constexpr std::string_view kInstructions =
-    "Programs of machine tool controls: nc110, technol, host50, prostep, hnc. Begin with 'project' to see what the "
+    "Programs of machine tool controls: nc110, technol, host50, prostep, hnc, classicladder. Begin with 'project' to "
+    "see what the "
     "folder "
     "holds, then 'check'. Files are named relative to the folder. A scenario names the sources and options of its "
     "program. What 'diff' and 'prove' say is proved or shown by a run; what is not decided is called so.";

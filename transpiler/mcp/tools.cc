@@ -180,12 +180,14 @@ Json RunEmit(const Workplace& workplace, const Json& arguments) {
 // --- a running program ---------------------------------------------------------------------------------------------
 
 Json SimulateSchema() {
-  return ProgramSchema({{"for", TextSchema("simulated time: 100ms, 3s, 2min; 1s if nothing is said")},
-                        {"watch", TextsSchema("locations to show, up to 16")},
-                        {"at", TextsSchema("what is written meanwhile: 100ms:I0A3=1")},
-                        {"force", TextsSchema("what is held against every writer: U4A8=1")},
-                        {"changes", {{"type", "boolean"}, {"description", "only rows in which something changed"}}}},
-                       {"watch"});
+  return ProgramSchema(
+      {{"for", TextSchema("simulated time: 100ms, 3s, 2min; 1s if nothing is said")},
+       {"watch", TextsSchema("locations to show, up to 16")},
+       {"at", TextsSchema("what is written meanwhile: 100ms:I0A3=1")},
+       {"force", TextsSchema("what is held against every writer: U4A8=1")},
+       {"changes",
+        {{"type", "boolean"}, {"description", "only rows in which something changed; true if nothing is said"}}}},
+      {"watch"});
 }
 
 std::vector<std::string> WordsOf(const std::string& line) {

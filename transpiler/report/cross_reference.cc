@@ -251,10 +251,10 @@ void Collector::Document() {
     if (!is_used) signal.documented_only = true;
     if (!is_used && !known.symbols.empty()) signal.name = known.symbols;
     if (known.address != signal.name) signal.address = known.address;
-    for (const std::string* text : {&known.predefined, &known.help, &known.meaning}) {
-      if (!text->empty() && signal.words.find(*text) == std::string::npos) {
-        signal.words += (signal.words.empty() ? "" : "; ") + *text;
-      }
+    for (std::string text : {known.predefined, known.help, known.meaning}) {
+      std::ranges::replace(text, '\n', ' ');  // a row of a table has one line
+      if (!text.empty() && signal.words.find(text) == std::string::npos)
+        signal.words += (signal.words.empty() ? "" : "; ") + text;
     }
     if (!known.symbols.empty() && known.symbols != signal.name) {
       signal.words += (signal.words.empty() ? "" : "; ") + ("also " + known.symbols);

@@ -1,9 +1,11 @@
 #include "transpiler/report/ladder_lines.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "transpiler/report/cross_reference.h"
 #include "transpiler/report/ladder.h"
 #include "transpiler/source/columns.h"
 
@@ -184,20 +186,39 @@ class LineWriter {
   std::string text_;
 };
 
-/// The items of statements that name the signal; frames are left out with what is in them.
-std::vector<const LadderItem*> Chosen(const std::vector<LadderItem>& items, std::string_view signal) {
+bool IsSamePlace(const ir::Place& one, const ir::Place& other) {
+  if (one.is_field() != other.is_field() || one.indexed != other.indexed) return false;
+  if (one.is_field()) return one.state == other.state && one.field == other.field;
+  return one.space == other.space && one.offset == other.offset && one.bit == other.bit && one.type == other.type;
+}
+
+/// Statements that read, write or step what stands at the place.
+std::set<ir::StatementId> StatementsWith(const ProgramInput& input, const CrossReference& uses,
+                                         const ir::Place& place) {
+  std::set<ir::StatementId> statements;
+  for (uint32_t i = 0; i < input.program->places.size(); ++i) {
+    if (!IsSamePlace(input.program->places[ir::PlaceId(i)], place) || uses.of_place[i] == kNoSignal) continue;
+    for (const Occurrence& occurrence : uses.signals[uses.of_place[i]].occurrences)
+      statements.insert(occurrence.statement);
+  }
+  return statements;
+}
+
+/// The items of the wanted statements; frames are left out with what is in them.
+std::vector<const LadderItem*> Chosen(const std::vector<LadderItem>& items, const std::optional<WantedRungs>& signal,
+                                      const std::set<ir::StatementId>& statements) {
   std::vector<const LadderItem*> chosen, group;
-  bool wanted = signal.empty();
+  bool wanted = !signal;
   const auto close = [&] {
     if (wanted) chosen.insert(chosen.end(), group.begin(), group.end());
     group.clear();
-    wanted = signal.empty();
+    wanted = !signal;
   };
   for (const LadderItem& item : items) {
     if (!item.statement.valid()) continue;  // the control's own
     if (item.kind == ItemKind::kStatement) close();
     group.push_back(&item);
-    wanted = wanted || Names(item, signal);
+    wanted = wanted || Names(item, signal->word) || statements.contains(item.statement);
   }
   close();
   return chosen;
@@ -205,11 +226,13 @@ std::vector<const LadderItem*> Chosen(const std::vector<LadderItem>& items, std:
 
 }  // namespace
 
-std::string LadderLines(const ProgramInput& input, std::string_view signal) {
+std::string LadderLines(const ProgramInput& input, const std::optional<WantedRungs>& wanted) {
   const CrossReference uses = MakeCrossReference(input);
+  const std::set<ir::StatementId> statements =
+      wanted && wanted->place ? StatementsWith(input, uses, *wanted->place) : std::set<ir::StatementId>();
   LineWriter writer(input);
   for (const RoutineLadder& ladder : MakeLadders(input, uses)) {
-    const std::vector<const LadderItem*> items = Chosen(ladder.items, signal);
+    const std::vector<const LadderItem*> items = Chosen(ladder.items, wanted, statements);
     if (items.empty()) continue;
     writer.AddTitle("routine " + input.program->routines[ladder.routine].name);
     for (size_t i = 0; i < items.size(); ++i) {

@@ -7,6 +7,7 @@
 // but addresses below names. Not its job: coordinates (ladder_drawing.h).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,7 +15,14 @@
 
 namespace plcxx::report {
 
-/// `signal` not empty: only the statements whose rungs name it, by name or by address.
-std::string LadderLines(const ProgramInput& input, std::string_view signal = {});
+/// Whose rungs are wanted: what they name so, by name or by address, and what reads or writes the place, which a user
+/// may spell otherwise than a picture does.
+struct WantedRungs {
+  std::string_view word;
+  std::optional<ir::Place> place;  // none: no location is written so
+};
+
+/// Without `wanted` all of them.
+std::string LadderLines(const ProgramInput& input, const std::optional<WantedRungs>& wanted = std::nullopt);
 
 }  // namespace plcxx::report
