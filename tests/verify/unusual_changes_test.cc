@@ -74,6 +74,9 @@ constexpr Mutation kOfCalls[] = {
      "namespace turret { struct Host; struct State; [[gnu::section(\".noinit\")]] void init(State& m, Host& host) "
      "noexcept; "
      "}\n#include \"turret.hpp\""},
+    {"start_up_section", "turret.cpp", "namespace turret {\n",
+     "namespace turret {\nstatic void start() {}\n[[gnu::section(\".init_array\"), gnu::used]] static void (*const "
+     "kStart)() = start;\n"},
     {"number_with_sign", "turret.cpp", "axis_jog(host, m, 3, m[last]);",
      "void jog(Host&, State&, uint16_t, int16_t) noexcept __asm__(\"_ZN6turret8axis_jogERNS_4HostERNS_5StateEtt\"); "
      "jog(host, m, 3, static_cast<int16_t>(m[last]));"},

@@ -112,6 +112,11 @@ std::string OutsideOfFunctions(const llvm::Module& module) {
     if (!function.isDeclaration() && function.hasSection())
       return "a function in a section that it names (" + function.getSection().str() + ")";
   }
+  // The start-up code calls what stands in some of them (.init_array).
+  for (const llvm::GlobalVariable& variable : module.globals()) {
+    if (!variable.isDeclaration() && variable.hasSection() && !variable.getName().starts_with("llvm."))
+      return "data in a section that it names (" + variable.getSection().str() + ")";
+  }
   return {};
 }
 
