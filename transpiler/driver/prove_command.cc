@@ -49,8 +49,8 @@ constexpr const char* kProveFooter =
   U4A8 is never stuck within 20 slow       from every state some inputs make it 1, and some make it 0, in that time
 
 What is looked at is the state after each period, for all inputs, from power-on with all memory 0. Times are counted in
-slow passes, fast passes or ms, which are rounded up to periods. The slow part is taken as one piece, also where it
-is cut into slices: inputs change before a pass and not within it.
+slow passes, fast passes or ms, which are rounded up to periods. Where the slow part is cut into slices (nc110) the state
+after the last of them is looked at, and inputs change before each of them.
 
 What a verdict claims:
   proved         it holds in every run from there, whatever inputs and the control do (--any-retentive: with any memory kept)
@@ -211,15 +211,6 @@ class Prove {
     const prove::properties::Property& property = proved.placed.property;
     progress_.Show("property " + number + " of " + std::to_string(properties_.size()) + ": " + property.text);
     proved.result = checker.Check(property);
-    // A claim is made of what was looked at only.
-    if (machine_.slices > 1 && proved.result.verdict == prove::properties::PropertyVerdict::kProved &&
-        !proved.result.in_slices) {
-      std::string& remark = proved.result.remark;
-      remark +=
-          (remark.empty() ? "" : "; ") +
-          std::string("the slow part is taken as one piece: of what it makes of inputs that change between its ") +
-          std::to_string(machine_.slices) + " slices, and of what is there between them, nothing is proved";
-    }
     if (plant_ && proved.result.verdict == prove::properties::PropertyVerdict::kProved) RemarkOnPlant(proved.result);
     if (proved.result.run) proved.scenario = std::move(replayed_.at(proved.result.replay));
     if (proved.result.verdict == prove::properties::PropertyVerdict::kViolated && !settings_.counterexamples.empty()) {
@@ -234,14 +225,15 @@ class Prove {
     proved_.push_back(std::move(proved));
   }
 
-  /// The same with inputs that change between the slices; none: these cannot be followed.
-  std::optional<prove::properties::PropertyResult> CheckInSlices(const prove::properties::Property& property,
-                                                                 uint64_t milliseconds) {
+  /// The same with inputs that change between the slices.
+  prove::properties::PropertyResult CheckInSlices(const prove::properties::Property& property, uint64_t milliseconds) {
     if (!pass_) {
       pass_ = std::make_unique<scenarios::PassMachine>();
       scenarios::MakePassMachine(request_, machine_, *pass_);
     }
-    if (!pass_->refusal.empty()) return std::nullopt;
+    prove::properties::PropertyResult refused;
+    refused.reason = pass_->refusal;
+    if (!pass_->refusal.empty()) return refused;
     prove::properties::CheckOptions options{.time_ms = milliseconds,
                                             .most_periods = options_.most_periods,
                                             .retentive = options_.retentive,
@@ -253,7 +245,8 @@ class Prove {
     };
     const auto first = static_cast<uint32_t>(replayed_.size());
     prove::properties::PropertyChecker checker(pass_->version, options);
-    if (!checker.refusal().empty()) return std::nullopt;
+    refused.reason = checker.refusal();
+    if (!refused.reason.empty()) return refused;
     prove::properties::PropertyResult result = checker.Check(scenarios::InPass(property, machine_, *pass_));
     if (result.run) {
       result.run = scenarios::FromPass(*result.run, machine_, *pass_);

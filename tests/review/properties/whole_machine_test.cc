@@ -144,6 +144,24 @@ TEST(WholeMachine, AFastPartThatRunsInEachSliceIsFollowed) {
   EXPECT_EQ(proved.code, 0) << proved;
 }
 
+TEST(WholeMachine, WhatIsStuckInOnePieceIsNotInSlices) {
+  const Workplace work;
+  const Ran changing = Prove(work, "m.plc", "$\nU50K0=I0A0\nU4A1=I0A1\nU4A2=I0A1\nU4A0=U50K0*/I0A0\n",
+                             "U4A0 is never stuck within 1 slow\n", "--set slices=2");
+  EXPECT_EQ(changing.code, 0) << changing;
+  const Ran fast = Prove(work, "m.plc", "U5A0=I0A0*U50K0\n$\nU50K0=I0A1\nU4A0=I0A2\n",
+                         "U5A0 is never stuck within 1 slow\n", "--set slices=2");
+  EXPECT_EQ(fast.code, 0) << fast;
+}
+
+TEST(WholeMachine, TextsBetweenSlicesAreNotFollowed) {
+  const Workplace work;
+  const Ran ran = Prove(work, "m.plc", "$\nU50K0=I0A0*\"GO\"\nU4A1=I0A1\nU4A2=I0A1\nU4A0=U50K0+I0A0\n",
+                        "never U50K0 and I0A0 is 0\n", "--set slices=2");
+  EXPECT_EQ(ran.code, 1) << ran;
+  EXPECT_THAT(ran.out, HasSubstr("texts of the operator that come between two slices are not followed yet"));
+}
+
 /// The control brings memory back by the byte; the last one has bits that no program can name.
 TEST(WholeMachine, KeptBitsAreWhatTheyWere) {
   const Workplace work;

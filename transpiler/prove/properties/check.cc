@@ -43,12 +43,16 @@ PropertyResult PropertyChecker::Check(const Property& property) {
   trials_.Begin();
   PropertyResult result;
   const auto check = [&] { return CheckInTime(property); };
-  const bool in_slices = options.slices > 1 && options.check_in_slices;
-  result = in_slices ? Within(checked_.RestMs() / kWholeShare, checked_, check) : check();
+  const bool in_slices = options.check_in_slices != nullptr;
+  if (!in_slices) {
+    result = check();
+  } else if (property.kind != PropertyKind::kNeverStuck) {
+    result = Within(checked_.RestMs() / kWholeShare, checked_, check);
+  }
   if (result.verdict == PropertyVerdict::kViolated) trials_.PreferPlanted(property, result);
   // The time may end between two steps.
   if (result.verdict == PropertyVerdict::kUndecided && result.reason.empty()) result.reason = kNoTime;
-  if (result.verdict != PropertyVerdict::kViolated && options.slices > 1) CheckInSlices(property, result);
+  if (result.verdict != PropertyVerdict::kViolated && in_slices) CheckInSlices(property, result);
   if (result.verdict == PropertyVerdict::kProved) result.remark = RemarkOn(property);
   if (result.verdict == PropertyVerdict::kViolated) result.remark = RemarkOnOutputs(checked_, property);
   return result;
@@ -56,48 +60,19 @@ PropertyResult PropertyChecker::Check(const Property& property) {
 
 void PropertyChecker::CheckInSlices(const Property& property, PropertyResult& result) {
   const CheckOptions& options = checked_.options;
+  checked_.Report("slice by slice");
+  PropertyResult in_slices = options.check_in_slices(property, std::max(1U, checked_.RestMs()));
   const bool was_proved = result.verdict == PropertyVerdict::kProved;
-  std::optional<PropertyResult> in_slices;
-  if (options.check_in_slices) {
-    checked_.Report("slice by slice");
-    in_slices = options.check_in_slices(property, std::max(1U, checked_.RestMs()));
-  }
-  const std::string slices = std::to_string(options.slices) + " slices of a slow pass";
-  if (in_slices && in_slices->verdict != PropertyVerdict::kUndecided) {
-    result = *std::move(in_slices);
-    result.in_slices = true;
-  } else if (in_slices && was_proved) {
-    const std::string reason = "proved only where no input changes between the " + slices + "; with inputs that do, ";
-    result = *std::move(in_slices);
+  if (in_slices.verdict != PropertyVerdict::kUndecided) {
+    result = std::move(in_slices);
+  } else if (was_proved || property.kind == PropertyKind::kNeverStuck) {
+    const std::string reason = was_proved ? "proved only where no input changes between the " +
+                                                std::to_string(options.slices) +
+                                                " slices of a slow pass; with inputs that do, "
+                                          : std::string();
+    result = std::move(in_slices);
     result.reason = reason + result.reason;
-  } else if (was_proved && DependsOnFastPart(property)) {
-    result.verdict = PropertyVerdict::kUndecided;
-    result.reason = "the fast part, on which it depends, runs in each of the " + slices +
-                    ", behind what they have done so far: that is not followed";
   }
-}
-
-bool PropertyChecker::DependsOnFastPart(const Property& property) {
-  if (!machine::HasFastPart(checked_.version)) return false;
-  machine::Relation& relation = checked_.Widest();
-  if (!fast_part_)
-    fast_part_ = machine::RunPart(checked_.terms, checked_.version, machine::Part::kFast,
-                                  {.initial = [&relation](execute::CellId cell) { return relation.VariableOf(cell); },
-                                   .now = relation.now(),
-                                   .observed = {}});
-  if (!fast_part_->refusal.empty()) return true;
-  std::vector<terms::TermId> next;
-  for (const execute::CellId cell : CellsBehind(checked_.terms, relation, OperandCellsOf(property))) {
-    const terms::TermId after = fast_part_->next[cell.index];
-    if (!checked_.new_each_time[cell.index] && after.valid()) next.push_back(after);
-  }
-  return std::ranges::any_of(terms::ConeOf(checked_.terms, next), [&](terms::TermId id) {
-    if (checked_.terms[id].kind != terms::TermKind::kVariable) return false;
-    const execute::CellId cell = relation.CellOf(id);
-    if (!cell.valid()) return true;  // the time
-    return cell.index < checked_.version.cells.calls && !checked_.new_each_time[cell.index] &&
-           machine::IsState(checked_.version, cell);
-  });
 }
 
 std::string PropertyChecker::RemarkOn(const Property& property) {

@@ -9,10 +9,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
-#include "transpiler/prove/machine/transition.h"
 #include "transpiler/prove/properties/checked_program.h"
 #include "transpiler/prove/properties/program_invariants.h"
 #include "transpiler/prove/properties/property.h"
@@ -35,10 +33,9 @@ class PropertyChecker {
  private:
   PropertyResult CheckInTime(const Property& property);
   bool TryInduction(const Property& property, uint32_t k, PropertyResult& result);
-  /// What is left of the verdict with the slow part in one piece when inputs change between its slices.
+  /// What is left of the verdict with the slow part in one piece when inputs change between its slices; of what is
+  /// never stuck that one says nothing.
   void CheckInSlices(const Property& property, PropertyResult& result);
-  /// Whether the property depends on what the fast part makes of more than inputs: in slices it runs in each of them.
-  bool DependsOnFastPart(const Property& property);
   /// Whether a proved property says little: it speaks of what nothing changes, or of a case that does not come.
   std::string RemarkOn(const Property& property);
 
@@ -46,7 +43,6 @@ class PropertyChecker {
   CheckedProgram checked_;
   RunTrials trials_{checked_};
   ProgramInvariants invariants_{checked_, trials_};
-  std::optional<machine::Transition> fast_part_;  // alone, over the variables of Widest(), once it was needed
 };
 
 }  // namespace plcxx::prove::properties

@@ -59,7 +59,6 @@ struct PropertyResult {
   std::optional<PropertyRun> run;  // of kViolated; of kUndecided one that the machine does not show
   std::string remark;              // why the verdict may say little; lower case, no full stop
   bool stuck_at = false;           // kViolated of kNeverStuck: what the output is behind the run, and stays
-  bool in_slices = false;          // the verdict is of a machine with slices whose inputs change between them
   uint32_t replay = 0;             // where there is a run: which of those of this check that were asked why, from 0
 };
 
@@ -69,9 +68,8 @@ struct CheckOptions {
   RetentiveMemory retentive = RetentiveMemory::kZero;
   bool only_runs = false;  // only runs that violate it are wanted: no proof is tried
   uint32_t slices = 1;     // of the slow part in the machine; here it is one piece
-  /// Asked for what no run has violated of a machine with slices: its check slice by slice, within the time; none: that
-  /// cannot be followed. May be empty.
-  std::function<std::optional<PropertyResult>(const Property& property, uint64_t milliseconds)> check_in_slices;
+  /// Of a machine with slices: asked for what no run has violated, checks it slice by slice within the time.
+  std::function<PropertyResult(const Property& property, uint64_t milliseconds)> check_in_slices;
   /// Told what is being done, for a progress line; may be empty.
   std::function<void(const std::string& what)> progress;
   /// Tries runs until one violates the property; may be empty. Not asked with any retentive memory.
