@@ -44,7 +44,7 @@ TEST_P(Init, MakesAProjectThatCompiles) {
   EXPECT_EQ(check.code, 0) << init << check << work.Read("machine/plcxx.yaml");
   const Ran test = work.Run("test --engine sim", "", "", "machine");
   EXPECT_THAT(test.out, HasSubstr("passed  power_on.yaml")) << test;
-  EXPECT_THAT(work.Read("machine/.gitattributes"), HasSubstr("-text diff=plc"));
+  EXPECT_THAT(work.Read("machine/.gitattributes"), HasSubstr(" -text"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, Init,
@@ -115,7 +115,7 @@ TEST(InitCommand, WhatASourceIncludesKeepsItsBytesToo) {
   const Ran init = work.Run("init --dialect technol");
   EXPECT_EQ(init.code, 0) << init;
   EXPECT_THAT(init.out, HasSubstr("times.inc           included  a source includes it")) << init;
-  EXPECT_THAT(work.Read(".gitattributes"), AllOf(HasSubstr("*.plc -text diff=plc"), HasSubstr("times.inc -text\n")));
+  EXPECT_THAT(work.Read(".gitattributes"), AllOf(HasSubstr("*.plc -text\n"), HasSubstr("times.inc -text\n")));
 }
 
 TEST(InitCommand, AFolderOfMachinesIsAPark) {
@@ -167,6 +167,75 @@ TEST(InitCommand, BackupsCopiesAndEmptyFilesAreNoSources) {
                               HasSubstr("b.plc~              left out  a backup of b.plc, by its name"),
                               HasSubstr("copy.plc            left out  the same bytes as b.plc"),
                               HasSubstr("empty.plc           left out  it is empty")));
+}
+
+// Who edits it opens the file with the plain name: by their bytes, capitals come first.
+TEST(InitCommand, TheOriginalIsKeptAndNotItsCopies) {
+  const Workplace work;
+  for (const std::string name : {"door.plc", "Copy of door.plc", "door (2).plc", "DOOR_OLD.PLC", "door - копия.plc"})
+    work.Write(name, "$\nU4A0=I0A0\n");
+  work.Write("Old.plc", "U4A1=I0A0\n");
+  work.Write("spindle.plc", "U4A1=I0A0\n");
+  const Ran init = work.Run("init");
+  EXPECT_EQ(init.code, 0) << init;
+  EXPECT_THAT(work.Read("plcxx.yaml"), HasSubstr("sources: [door.plc, spindle.plc]")) << init;
+  EXPECT_THAT(init.out, AllOf(HasSubstr("Copy of door.plc    left out  the same bytes as door.plc"),
+                              HasSubstr("left out  the same bytes as spindle.plc")))
+      << init;
+}
+
+// A service runs what lies in the root of the repository, and there is no project.
+TEST(InitCommand, APipelineIsForTheRootOfTheRepository) {
+  const Workplace work;
+  fs::create_directories(work.Path(".git"));
+  work.Write(".git/config", "[remote \"origin\"]\n\turl = https://github.com/x/y\n");
+  for (const std::string name : {"machines/M1", "machines/M2", "machines/M 3"}) {
+    fs::create_directories(work.Path(name));
+    work.Write(name + "/p.plc", "$\nU4A0=I0A0\n");
+  }
+  EXPECT_THAT(work.Run("init machines/M1").out, HasSubstr(" .github/workflows/plcxx_machines_M1.yml\n"));
+  EXPECT_THAT(work.Run("init", "", "", "machines/M2").out,
+              HasSubstr(" ../../.github/workflows/plcxx_machines_M2.yml\n"));
+  EXPECT_FALSE(work.Has("machines/M1/.github"));
+  EXPECT_THAT(work.Read(".github/workflows/plcxx_machines_M2.yml"),
+              AllOf(HasSubstr("- run: plcxx check\n      working-directory: machines/M2\n"),
+                    HasSubstr("--junit results.xml\n      working-directory: machines/M2\n"),
+                    HasSubstr("'pull_request'\n      working-directory: machines/M2\n")));
+  EXPECT_EQ(work.Run("init 'machines/M 3' --pipeline gitlab").code, 0);
+  const std::string gitlab = work.Read(".gitlab-ci.yml");
+  EXPECT_THAT(gitlab, AllOf(HasSubstr("  script:\n  - 'cd ''machines/M 3'''\n"), HasSubstr("machines/M 3/changes.md"),
+                            HasSubstr("machines/M 3/results.xml")));
+}
+
+// git gives its tool one file: of a program in several it showed errors in the place of every difference.
+TEST(InitCommand, GitComparesProgramsInOneFile) {
+  const Workplace work;
+  work.Write("a.plc", "$\nU4A0=I0A0\n");
+  EXPECT_EQ(work.Run("init").code, 0);
+  EXPECT_THAT(work.Read(".gitattributes"), AllOf(HasSubstr("--git-external"), HasSubstr("*.plc -text diff=plc\n")));
+  const Workplace several;
+  several.Write("a.plc", "$\nU4A0=!LAMP\n");
+  several.Write("a.sym", "LAMP = I0A0\n");
+  EXPECT_EQ(several.Run("init").code, 0);
+  EXPECT_THAT(several.Read(".gitattributes"), AllOf(HasSubstr("program does: plcxx diff HEAD..\n"),
+                                                    HasSubstr("*.plc -text\n"), Not(HasSubstr("diff=plc"))));
+}
+
+TEST(InitCommand, AMachineOfAParkMayLieDeeper) {
+  const Workplace work;
+  for (const std::string name : {"M1", "M1/before", "M3/PLC", "M4/fast", "M4/slow", "M5/drawings"}) {
+    fs::create_directories(work.Path(name));
+    if (name != "M5/drawings") work.Write(name + "/p.plc", "$\nU4A0=I0A0\n");
+  }
+  const Ran init = work.Run("init --pipeline none");
+  EXPECT_EQ(init.code, 0) << init;
+  EXPECT_THAT(init.out,
+              AllOf(HasSubstr("program   M3, in M3/PLC\n"), HasSubstr("before/             left out  a folder")));
+  const Ran check = work.Run("check --all");
+  EXPECT_THAT(check.errors, AllOf(HasSubstr("M1: no errors"), HasSubstr("M3: no errors"),
+                                  HasSubstr("M4_fast: no errors"), HasSubstr("M4_slow: no errors")))
+      << check << work.Read("plcxx.yaml");
+  EXPECT_THAT(work.Run("test --all --engine sim").out, HasSubstr("4 scenarios passed"));
 }
 
 // The encodings of those behind it were told one line too early: u16.sym was cp1251.

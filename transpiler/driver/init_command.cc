@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -31,7 +32,7 @@ constexpr const char* kInitFooter = R"(Examples:
   plcxx init --pipeline gitlab
 
 Writes plcxx.yaml, .gitattributes, a first scenario and, where the folder's repository is at GitHub or GitLab, a
-pipeline; says what it decided and why. Files that exist are left as they are.
+pipeline in the root of the repository; says what it decided and why. Files that exist are left as they are.
 Exit codes: 0 written, 1 no file is a source that plcxx knows, 2 wrong use, 3 a fault of plcxx.)";
 
 struct InitSettings {
@@ -67,18 +68,48 @@ void SayNext(const std::vector<project::ProposedProgram>& programs) {
                  : "plcxx check" + all + " shows the errors; plcxx test and plcxx emit work when there are none");
 }
 
-/// Where the repository of the folder is: by files of a service, else by the address that git fetches from.
-std::string ServiceOf(const fs::path& folder) {
+bool HasServiceFile(const fs::path& folder) {
   std::error_code error;
-  fs::path at = fs::weakly_canonical(folder, error);
-  for (;; at = at.parent_path()) {
-    if (fs::exists(at / ".gitlab-ci.yml", error)) return "gitlab";
-    if (fs::exists(at / ".github", error)) return "github";
-    if (project::IsVersioned(at.string()) || at == at.parent_path()) break;
+  return fs::exists(folder / ".gitlab-ci.yml", error) || fs::exists(folder / ".github", error);
+}
+
+/// Services read pipelines in the root of a repository alone. Without a repository: where a service's files are, else
+/// the folder itself.
+fs::path RootOf(const fs::path& folder) {
+  fs::path with_files;
+  for (fs::path at = folder;; at = at.parent_path()) {
+    if (project::IsVersioned(at.string())) return at;
+    if (with_files.empty() && HasServiceFile(at)) with_files = at;
+    if (at == at.parent_path()) return with_files.empty() ? folder : with_files;
   }
-  const std::string config = support::ReadFile(at / ".git" / "config").value_or("");
+}
+
+/// By files of a service, else by the address that git fetches from.
+std::string ServiceOf(const fs::path& root) {
+  std::error_code error;
+  if (fs::exists(root / ".gitlab-ci.yml", error)) return "gitlab";
+  if (fs::exists(root / ".github", error)) return "github";
+  const std::string config = support::ReadFile(root / ".git" / "config").value_or("");
   if (config.find("github.com") != std::string::npos) return "github";
   return config.find("gitlab") != std::string::npos ? "gitlab" : "";
+}
+
+/// Writes those that are not there; what stands in the way of it.
+std::optional<WriteFailure> WriteNew(const std::vector<project::PipelineFile>& files) {
+  std::error_code error;
+  std::string heading = "wrote";
+  for (const project::PipelineFile& file : files) {
+    const fs::path path = file.path;
+    if (fs::exists(fs::symlink_status(path, error))) {
+      Say("left", path.generic_string() + ": it is there already");
+      continue;
+    }
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+    if (auto failure = WriteAll({{}, {{path.string(), file.text}}, {}})) return failure;
+    Say(heading, path.generic_string());
+    heading.clear();
+  }
+  return std::nullopt;
 }
 
 int RunInit(const InitSettings& settings) {
@@ -110,27 +141,20 @@ int RunInit(const InitSettings& settings) {
     return kProgramHasErrors;
   }
 
-  std::vector<project::PipelineFile> files = {{std::string(project::kProjectFile), project::ProjectText(programs)},
-                                              {".gitattributes", project::AttributesText(programs)}};
+  const fs::path here = folder;
+  std::vector<project::PipelineFile> files = {{(here / project::kProjectFile).string(), project::ProjectText(programs)},
+                                              {(here / ".gitattributes").string(), project::AttributesText(programs)}};
   for (const project::ProposedProgram& program : programs)
-    files.push_back({(fs::path(program.folder) / "power_on.yaml").generic_string(), project::ScenarioText()});
-  const std::string service = settings.pipeline == "auto" ? ServiceOf(folder) : settings.pipeline;
-  if (const auto pipeline = project::Pipeline(service, programs.size())) files.push_back(*pipeline);
-
-  std::string heading = "wrote";
-  for (const project::PipelineFile& file : files) {
-    const fs::path path = fs::path(folder) / file.path;
-    if (fs::exists(fs::symlink_status(path, error))) {
-      Say("left", path.generic_string() + ": it is there already");
-      continue;
-    }
-    if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
-    if (const auto failure = WriteAll({{}, {{path.string(), file.text}}, {}})) {
-      return CannotWrite(*failure);
-    }
-    Say(heading, path.generic_string());
-    heading.clear();
+    files.push_back({(here / program.folder / "power_on.yaml").string(), project::ScenarioText()});
+  const fs::path whole = fs::canonical(folder.empty() ? fs::path(".") : here, error);
+  const fs::path root = RootOf(whole);
+  const std::string service = settings.pipeline == "auto" ? ServiceOf(root) : settings.pipeline;
+  const std::string below = root == whole ? "" : whole.lexically_relative(root).generic_string();
+  if (auto pipeline = project::Pipeline(service, programs.size(), below)) {
+    const fs::path to = below.empty() ? here : root.lexically_proximate(fs::current_path(error));
+    files.push_back({(to / pipeline->path).lexically_normal().string(), std::move(pipeline->text)});
   }
+  if (const auto failure = WriteNew(files)) return CannotWrite(*failure);
   if (service.empty() && settings.pipeline == "auto") Say("", "no pipeline: --pipeline github or gitlab writes one");
   SayNext(programs);
   return kDone;

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <system_error>
+#include <tuple>
 
 #include "transpiler/compilation/compilation.h"
 #include "transpiler/compilation/source_loading.h"
@@ -92,6 +93,30 @@ bool IsBackupOf(const std::string& name, const std::string& other) {
   const std::string original = UpperCase(OriginalOf(name));
   if (original.empty() || !OriginalOf(other).empty()) return false;
   return original == UpperCase(other) || original == UpperCase(fs::path(other).stem().string());
+}
+
+/// What systems and people write into the name of a copy.
+constexpr std::string_view kCopyWords[] = {"copy",  "kopie", "copie", "copia", "копия",
+                                           "Копия", "КОПИЯ", "old",   "backup"};
+
+bool IsCalledACopy(const std::string& name) {
+  std::string word;
+  for (const char c : name + ".") {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80) {
+      word += c;
+      continue;
+    }
+    if (std::ranges::find(kCopyWords, LowerCase(word)) != std::ranges::end(kCopyWords)) return true;
+    word.clear();
+  }
+  return false;
+}
+
+/// Of two names of the same bytes: "door (2).plc" and "Copy of door.plc" are copies of "door.plc". Edits go to the file
+/// that has the plain name, and it is the one to compile.
+bool IsPlainer(const std::string& name, const std::string& other) {
+  const auto order = [](const std::string& of) { return std::tuple(IsCalledACopy(of), of.size(), of); };
+  return order(name) < order(other);
 }
 
 class Finder {
@@ -190,16 +215,25 @@ class Finder {
   /// The version before lies beside the one that runs, and so do copies: as sources they would define all of it twice.
   void DropBackups() {
     const std::vector<std::string> all = program_.sources;
-    std::map<std::string, std::string> kept;  // contents, and whose they are
     std::erase_if(program_.sources, [&](const std::string& source) {
       const auto found = std::ranges::find_if(all, [&](const std::string& other) { return IsBackupOf(source, other); });
-      if (found != all.end()) {
-        program_.files.push_back({source, "left out", "", "a backup of " + *found + ", by its name"});
-        return true;
-      }
-      const auto [known, is_new] = kept.emplace(support::ReadFile(folder_ / source).value_or(source), source);
-      if (!is_new) program_.files.push_back({source, "left out", "", "the same bytes as " + known->second});
-      return !is_new;
+      if (found == all.end()) return false;
+      program_.files.push_back({source, "left out", "", "a backup of " + *found + ", by its name"});
+      return true;
+    });
+    std::map<std::string, std::string> originals;  // of contents: the plainest name
+    const auto contents = [&](const std::string& source) {
+      return support::ReadFile(folder_ / source).value_or(source);
+    };
+    for (const std::string& source : program_.sources) {
+      std::string& original = originals.emplace(contents(source), source).first->second;
+      if (IsPlainer(source, original)) original = source;
+    }
+    std::erase_if(program_.sources, [&](const std::string& source) {
+      const std::string& original = originals.at(contents(source));
+      if (source == original) return false;
+      program_.files.push_back({source, "left out", "", "the same bytes as " + original});
+      return true;
     });
   }
 
@@ -340,32 +374,62 @@ class Finder {
   ProposedProgram program_;
 };
 
+/// Folders in `name` (and itself) whose files read like a language, relative to `top`; nothing below one of them.
+std::vector<std::string> FoldersWithSources(const fs::path& top, const std::string& name, std::string_view dialect) {
+  constexpr std::ptrdiff_t kDeepest = 3;  // machine/PLC/source
+  if (Finder(top / name, dialect).HasSources()) return {name};
+  std::vector<std::string> found;
+  if (std::ranges::count(name, '/') + 1 >= kDeepest) return found;
+  for (const std::string& inner : FoldersIn(top / name)) {
+    for (std::string& folder : FoldersWithSources(top, name + "/" + inner, dialect)) found.push_back(std::move(folder));
+  }
+  return found;
+}
+
+/// Folders with sources beside those of a program that it does not take.
+void NameOtherFolders(const fs::path& top, std::string_view dialect, ProposedProgram& program) {
+  for (const std::string& name : FoldersIn(top)) {
+    const bool is_used =
+        std::ranges::any_of(program.loaded, [&](const std::string& file) { return file.starts_with(name + "/"); });
+    if (is_used) continue;
+    for (const std::string& folder : FoldersWithSources(top, name, dialect)) {
+      program.files.push_back(
+          {folder + "/", "left out", "", "a folder with sources of its own: plcxx init in it makes another project"});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<ProposedProgram> ProposePrograms(const std::string& folder, std::string_view dialect) {
   const fs::path top = folder.empty() ? fs::path(".") : fs::path(folder);
-  const std::vector<std::string> folders = FoldersIn(top);
   if (std::optional<ProposedProgram> only = Finder(top, dialect).Find()) {
-    for (const std::string& name : folders) {
-      const bool is_used =
-          std::ranges::any_of(only->loaded, [&](const std::string& file) { return file.starts_with(name + "/"); });
-      if (is_used || !Finder(top / name, dialect).HasSources()) continue;
-      only->files.push_back(
-          {name + "/", "left out", "", "a folder with sources of its own: plcxx init in it makes another project"});
-    }
+    NameOtherFolders(top, dialect, *only);
     return {std::move(*only)};
   }
   std::vector<ProposedProgram> programs;
   std::set<std::string> names;
-  for (const std::string& name : folders) {
+  const auto add = [&](const std::string& name, std::string own) {
     std::optional<ProposedProgram> program = Finder(top / name, dialect).Find();
-    if (!program) continue;
+    if (!program) return false;
+    NameOtherFolders(top / name, dialect, *program);
     program->folder = name;
-    const std::string own = support::IsFileName(name) ? name : compilation::NameFrom(name);
+    if (!support::IsFileName(own)) own = compilation::NameFrom(own);
     program->name = own;
     for (size_t number = 2; !names.insert(program->name).second; ++number)
       program->name = own + "_" + std::to_string(number);
     programs.push_back(std::move(*program));
+    return true;
+  };
+  for (const std::string& name : FoldersIn(top)) {
+    if (add(name, name)) continue;
+    // The program of a machine may lie deeper, beside its drawings.
+    const std::vector<std::string> deeper = FoldersWithSources(top, name, dialect);
+    for (const std::string& inner : deeper) {
+      std::string own = deeper.size() == 1 ? name : inner;
+      std::ranges::replace(own, '/', '_');
+      add(inner, own);
+    }
   }
   return programs;
 }

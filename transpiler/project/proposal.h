@@ -35,8 +35,8 @@ struct ProposedProgram {
   std::string no_program;           // a file in a language that only looks like this one, and what to do about it
 };
 
-/// The programs of the folder itself, else one for each folder in it; empty: no file is a source that plcxx knows. One
-/// without sources has files that cannot be a program, and says so in `no_program`.
+/// The programs of the folder itself, else one for each folder in it, or for what lies deeper there; empty: no file is
+/// a source that plcxx knows. One without sources has files that cannot be a program, and says so in `no_program`.
 std::vector<ProposedProgram> ProposePrograms(const std::string& folder, std::string_view dialect);
 
 /// The text of plcxx.yaml.
@@ -46,10 +46,11 @@ std::string AttributesText(const std::vector<ProposedProgram>& programs);
 /// A first scenario of a program.
 std::string ScenarioText();
 
-/// Of a pipeline: where its file is, and what it says.
+/// Of a pipeline: where its file is in the repository, and what it says.
 struct PipelineFile {
   std::string path, text;
 };
-std::optional<PipelineFile> Pipeline(std::string_view service, size_t programs);
+/// `folder`: of the project, relative to the repository; empty: its root.
+std::optional<PipelineFile> Pipeline(std::string_view service, size_t programs, const std::string& folder);
 
 }  // namespace plcxx::project

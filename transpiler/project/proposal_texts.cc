@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 
+#include "transpiler/compilation/compilation.h"
 #include "transpiler/project/proposal.h"
 #include "transpiler/support/file_names.h"
 #include "transpiler/yaml/words.h"
@@ -45,12 +46,12 @@ jobs:
     - uses: actions/checkout@v4
       with: {fetch-depth: 0}
     - run: apt-get install -y ./ci/plcxx.deb    # where the package of plcxx is
-    - run: plcxx check@ALL@
-    - run: plcxx test@ALL@ --junit results.xml
-    - if: github.event_name == 'pull_request'
+    - run: plcxx check@ALL@@IN@
+    - run: plcxx test@ALL@ --junit results.xml@IN@
+    - if: github.event_name == 'pull_request'@IN@
       env: {BASE: "${{ github.base_ref }}"}
       run: |
-        git config --global --add safe.directory "$PWD"
+        git config --global --add safe.directory "$GITHUB_WORKSPACE"
         plcxx diff "origin/$BASE.."@ALL@ --format markdown >> "$GITHUB_STEP_SUMMARY" || test $? = 1
 )";
 
@@ -59,7 +60,7 @@ constexpr const char* kGitLab = R"(plc:
   variables: {GIT_DEPTH: "0"}
   before_script:
   - apt-get update && apt-get install -y git g++ ./ci/plcxx.deb    # where the package of plcxx is
-  script:
+  script:@IN@
   - plcxx check@ALL@
   - plcxx test@ALL@ --junit results.xml
   - |
@@ -68,15 +69,18 @@ constexpr const char* kGitLab = R"(plc:
     fi
   artifacts:
     when: always
-    paths: [changes.md]
-    reports: {junit: results.xml}
+    paths: [@CHANGES@]
+    reports: {junit: @RESULTS@}
 )";
 
-std::string Filled(std::string text, const std::string& all) {
-  constexpr std::string_view kPlace = "@ALL@";
-  for (size_t at; (at = text.find(kPlace)) != std::string::npos;) text.replace(at, kPlace.size(), all);
+std::string Filled(std::string text, std::string_view place, const std::string& with) {
+  for (size_t at = 0; (at = text.find(place, at)) != std::string::npos; at += with.size())
+    text.replace(at, place.size(), with);
   return text;
 }
+
+/// A word of a shell: whatever is in it.
+std::string ShellWord(const std::string& text) { return "'" + Filled(text, "'", "'\\''") + "'"; }
 
 }  // namespace
 
@@ -89,10 +93,15 @@ std::string ProjectText(const std::vector<ProposedProgram>& programs) {
 }
 
 std::string AttributesText(const std::vector<ProposedProgram>& programs) {
+  // git gives a diff tool one file, and a program of several is none without the others.
+  const bool alone = std::ranges::all_of(
+      programs, [](const ProposedProgram& program) { return program.loaded.size() == 1 && program.options.empty(); });
   std::string text =
       "# The bytes of the control's files are kept: line ends and code pages are part of them. What changed in what "
-      "the\n"
-      "# program does: git config diff.plc.command \"plcxx diff --git-external\"\n";
+      "the\n";
+  text += alone                 ? "# program does: git config diff.plc.command \"plcxx diff --git-external\"\n"
+          : programs.size() > 1 ? "# programs do: plcxx diff HEAD.. --all\n"
+                                : "# program does: plcxx diff HEAD..\n";
   std::set<std::string> sources, others;
   for (const ProposedProgram& program : programs) {
     for (const std::string& source : program.sources) {
@@ -108,7 +117,7 @@ std::string AttributesText(const std::vector<ProposedProgram>& programs) {
     const bool plain = pattern.find_first_of(" \t\"\\#!") == std::string::npos;
     return plain ? pattern + " " + attributes + "\n" : "";
   };
-  for (const std::string& pattern : sources) text += line(pattern, "-text diff=plc");
+  for (const std::string& pattern : sources) text += line(pattern, alone ? "-text diff=plc" : "-text");
   for (const std::string& pattern : others) text += line(pattern, "-text");
   return text;
 }
@@ -122,10 +131,21 @@ std::string ScenarioText() {
          "- run: {slow: 2}\n";
 }
 
-std::optional<PipelineFile> Pipeline(std::string_view service, size_t programs) {
+std::optional<PipelineFile> Pipeline(std::string_view service, size_t programs, const std::string& folder) {
   const std::string all = programs > 1 ? " --all" : "";
-  if (service == "github") return PipelineFile{".github/workflows/plcxx.yml", Filled(kGitHub, all)};
-  if (service == "gitlab") return PipelineFile{".gitlab-ci.yml", Filled(kGitLab, all)};
+  if (service == "github") {
+    // The steps before are of the repository: there is no folder of the project yet.
+    const std::string in = folder.empty() ? "" : "\n      working-directory: " + Word(folder);
+    const std::string name = folder.empty() ? "" : "_" + compilation::NameFrom(Filled(folder, "/", "_"));
+    return PipelineFile{".github/workflows/plcxx" + name + ".yml", Filled(Filled(kGitHub, "@ALL@", all), "@IN@", in)};
+  }
+  if (service == "gitlab") {
+    const std::string in = folder.empty() ? "" : "\n  - " + Word("cd " + ShellWord(folder));
+    const std::string before = folder.empty() ? "" : folder + "/";
+    std::string text = Filled(Filled(kGitLab, "@ALL@", all), "@CHANGES@", Word(before + "changes.md"));
+    text = Filled(text, "@RESULTS@", Word(before + "results.xml"));
+    return PipelineFile{".gitlab-ci.yml", Filled(text, "@IN@", in)};
+  }
   return std::nullopt;
 }
 
