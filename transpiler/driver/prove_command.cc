@@ -225,29 +225,32 @@ class Prove {
     proved_.push_back(std::move(proved));
   }
 
-  /// The same with inputs that change between the slices.
-  prove::properties::PropertyResult CheckInSlices(const prove::properties::Property& property, uint64_t milliseconds) {
-    if (!pass_) {
-      pass_ = std::make_unique<scenarios::PassMachine>();
-      scenarios::MakePassMachine(request_, machine_, *pass_);
-    }
-    prove::properties::PropertyResult refused;
-    refused.reason = pass_->refusal;
-    if (!pass_->refusal.empty()) return refused;
-    prove::properties::CheckOptions options{.time_ms = milliseconds,
-                                            .most_periods = options_.most_periods,
-                                            .retentive = options_.retentive,
-                                            .progress = options_.progress};
-    options.why_not_shown = [&](const prove::properties::Property&, const prove::properties::PropertyResult& result) {
+  /// What the checks slice by slice share is executed once, when the first property asks for it.
+  void MakePass() {
+    pass_ = std::make_unique<scenarios::PassMachine>();
+    scenarios::MakePassMachine(request_, machine_, *pass_);
+    if (!pass_->refusal.empty()) return;
+    prove::properties::CheckOptions options{
+        .most_periods = options_.most_periods, .retentive = options_.retentive, .progress = options_.progress};
+    options.why_not_shown = [this](const prove::properties::Property&,
+                                   const prove::properties::PropertyResult& result) {
       prove::properties::PropertyResult of_slices = result;
       of_slices.run = scenarios::FromPass(*result.run, machine_, *pass_);
-      return options_.why_not_shown(property, of_slices);
+      return options_.why_not_shown(*in_slices_, of_slices);
     };
+    pass_checker_ = std::make_unique<prove::properties::PropertyChecker>(pass_->version, std::move(options));
+    pass_->refusal = pass_checker_->refusal();
+  }
+
+  /// The same with inputs that change between the slices.
+  prove::properties::PropertyResult CheckInSlices(const prove::properties::Property& property, uint64_t milliseconds) {
+    prove::properties::PropertyResult result;
+    if (!pass_) MakePass();
+    result.reason = pass_->refusal;
+    if (!result.reason.empty()) return result;
+    in_slices_ = &property;
     const auto first = static_cast<uint32_t>(replayed_.size());
-    prove::properties::PropertyChecker checker(pass_->version, options);
-    refused.reason = checker.refusal();
-    if (!refused.reason.empty()) return refused;
-    prove::properties::PropertyResult result = checker.Check(scenarios::InPass(property, machine_, *pass_));
+    result = pass_checker_->Check(scenarios::InPass(property, machine_, *pass_), milliseconds);
     if (result.run) {
       result.run = scenarios::FromPass(*result.run, machine_, *pass_);
       result.replay += first;
@@ -294,7 +297,9 @@ class Prove {
   compilation::CompilationRequest request_;
   ChosenProperties chosen_;
   scenarios::ProveMachine machine_;
-  std::unique_ptr<scenarios::PassMachine> pass_;  // of a program with slices, once it was asked for
+  std::unique_ptr<scenarios::PassMachine> pass_;                      // of a program with slices, once it was asked for
+  std::unique_ptr<prove::properties::PropertyChecker> pass_checker_;  // none where that is refused
+  const prove::properties::Property* in_slices_ = nullptr;            // that is checked there
   ProgressLine progress_;
   std::vector<scenarios::PlacedProperty> properties_;
   std::vector<ProvedProperty> proved_;

@@ -37,9 +37,9 @@ std::string RemarkOnOutputs(const CheckedProgram& checked, const Property& prope
 
 }  // namespace
 
-PropertyResult PropertyChecker::Check(const Property& property) {
+PropertyResult PropertyChecker::Check(const Property& property, uint64_t milliseconds) {
   const CheckOptions& options = checked_.options;
-  checked_.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(options.time_ms);
+  checked_.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
   trials_.Begin();
   PropertyResult result;
   const auto check = [&] { return CheckInTime(property); };

@@ -28,7 +28,9 @@ class PropertyChecker {
 
   /// Not empty: nothing can be checked, and why.
   const std::string& refusal() const { return checked_.refusal; }
-  PropertyResult Check(const Property& property);
+  PropertyResult Check(const Property& property) { return Check(property, options_.time_ms); }
+  /// Within another time than that of all checks.
+  PropertyResult Check(const Property& property, uint64_t milliseconds);
 
  private:
   PropertyResult CheckInTime(const Property& property);
