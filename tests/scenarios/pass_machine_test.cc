@@ -43,11 +43,8 @@ TEST_P(PassMachineTest, DoesWhatItsSlicesDo) {
   request.sources = {"m.plc"};
   request.texts["m.plc"] = kProgram;
   request.options = {{"slices", std::to_string(GetParam().slices)}, {"latch-slow-inputs", GetParam().latches}};
-  ProveMachine machine;
-  MakeProveMachine(request, machine);
-  ASSERT_TRUE(machine.compilation.ok());
   PassMachine pass;
-  MakePassMachine(request, machine, pass);
+  MakePassMachine(request, pass);
   ASSERT_EQ(pass.refusal, "");
   ASSERT_EQ(pass.pass.slices, GetParam().slices);
   ASSERT_FALSE(pass.bytes.empty());

@@ -228,7 +228,7 @@ class Prove {
   /// What the checks slice by slice share is executed once, when the first property asks for it.
   void MakePass() {
     pass_ = std::make_unique<scenarios::PassMachine>();
-    scenarios::MakePassMachine(request_, machine_, *pass_);
+    scenarios::MakePassMachine(request_, *pass_);
     if (!pass_->refusal.empty()) return;
     prove::properties::CheckOptions options{
         .most_periods = options_.most_periods, .retentive = options_.retentive, .progress = options_.progress};

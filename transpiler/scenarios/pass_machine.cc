@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "transpiler/ir/builder.h"
+#include "transpiler/ir/slices.h"
 #include "transpiler/prove/machine/inputs.h"
 #include "transpiler/prove/machine/requests.h"
 #include "transpiler/prove/machine/transition.h"
@@ -33,6 +35,28 @@ std::vector<passes::ByteBetweenSlices> BytesBetweenSlices(const Version& version
     mask = static_cast<uint8_t>(mask | 1U << cell.bit);
   }
   return bytes;
+}
+
+/// Whether the operator's texts are asked for in front of the first slice alone, where the proofs have new ones anyway:
+/// what arrives later waits until then.
+bool TextsWaitForPass(const ir::Program& program) {
+  const auto asks = [&](ir::RegionId region) {
+    size_t count = 0;
+    ir::ForEachInst(program, region, [&](ir::InstId id) {
+      const ir::Inst& inst = program[id];
+      const ir::Shape shape = ir::Info(inst.op).shape;
+      if (shape == ir::Shape::kText || (shape == ir::Shape::kStep && inst.payload == program.text_inbox.index)) ++count;
+    });
+    return count;
+  };
+  size_t all = 0, first = 0;
+  for (uint32_t i = 0; i < program.routines.size(); ++i) {
+    const ir::Routine& routine = program.routines[ir::RoutineId(i)];
+    for (const ir::RegionId region : {routine.prologue, routine.body, routine.epilogue}) all += asks(region);
+    const std::vector<ir::SlicePiece> pieces = ir::SlicePieces(program, ir::RoutineId(i));
+    if (routine.sliced && !pieces.empty()) first += asks(pieces.front().region);
+  }
+  return all == first;
 }
 
 /// Whether a pass that begins with slice 0 ends before slice 0 again, whatever happens, and power-on does.
@@ -84,13 +108,13 @@ std::optional<uint32_t> SliceOf(const passes::WholePass& pass, ir::SpaceId space
 
 }  // namespace
 
-void MakePassMachine(const compilation::CompilationRequest& request, const ProveMachine& machine, PassMachine& pass) {
-  if (machine.compilation.program.text_inbox.valid()) {
+void MakePassMachine(const compilation::CompilationRequest& request, PassMachine& pass) {
+  pass.compilation = compilation::Compile(request);
+  ir::Program& program = pass.compilation.program;
+  if (!TextsWaitForPass(program)) {
     pass.refusal = "texts of the operator that come between two slices are not followed yet";
     return;
   }
-  pass.compilation = compilation::Compile(request);
-  ir::Program& program = pass.compilation.program;
   pass.bytes = BytesBetweenSlices(prove::machine::MakeVersion(program));
   std::optional<passes::WholePass> whole = passes::MakeWholePass(program, pass.bytes);
   if (!whole) {

@@ -21,8 +21,8 @@ struct PassMachine {
   std::vector<passes::ByteBetweenSlices> bytes;  // what is new before each slice
 };
 
-/// `machine` is that of the same request and in slices. The machine must not be moved after.
-void MakePassMachine(const compilation::CompilationRequest& request, const ProveMachine& machine, PassMachine& pass);
+/// Of a request whose program compiles and has slices. The machine must not be moved after.
+void MakePassMachine(const compilation::CompilationRequest& request, PassMachine& pass);
 
 /// The same property of the pass.
 prove::properties::Property InPass(const prove::properties::Property& property, const ProveMachine& machine,
