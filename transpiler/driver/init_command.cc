@@ -68,9 +68,11 @@ void SayNext(const std::vector<project::ProposedProgram>& programs) {
                  : "plcxx check" + all + " shows the errors; plcxx test and plcxx emit work when there are none");
 }
 
-bool HasServiceFile(const fs::path& folder) {
+/// The service whose files lie there; empty: none.
+std::string ServiceByFiles(const fs::path& folder) {
   std::error_code error;
-  return fs::exists(folder / ".gitlab-ci.yml", error) || fs::exists(folder / ".github", error);
+  if (fs::exists(folder / ".gitlab-ci.yml", error)) return "gitlab";
+  return fs::exists(folder / ".github", error) ? "github" : "";
 }
 
 /// Services read pipelines in the root of a repository alone. Without a repository: where a service's files are, else
@@ -79,16 +81,14 @@ fs::path RootOf(const fs::path& folder) {
   fs::path with_files;
   for (fs::path at = folder;; at = at.parent_path()) {
     if (project::IsVersioned(at.string())) return at;
-    if (with_files.empty() && HasServiceFile(at)) with_files = at;
+    if (with_files.empty() && !ServiceByFiles(at).empty()) with_files = at;
     if (at == at.parent_path()) return with_files.empty() ? folder : with_files;
   }
 }
 
 /// By files of a service, else by the address that git fetches from.
 std::string ServiceOf(const fs::path& root) {
-  std::error_code error;
-  if (fs::exists(root / ".gitlab-ci.yml", error)) return "gitlab";
-  if (fs::exists(root / ".github", error)) return "github";
+  if (std::string service = ServiceByFiles(root); !service.empty()) return service;
   const std::string config = support::ReadFile(root / ".git" / "config").value_or("");
   if (config.find("github.com") != std::string::npos) return "github";
   return config.find("gitlab") != std::string::npos ? "gitlab" : "";

@@ -16,6 +16,7 @@
 #include "transpiler/scenarios/known_runs.h"
 #include "transpiler/scenarios/program.h"
 #include "transpiler/soak/kept_runs.h"
+#include "transpiler/support/listed.h"
 #include "transpiler/support/read_file.h"
 
 namespace plcxx::driver {
@@ -78,14 +79,11 @@ Corpus ReadCorpus(const std::string& directory, const compilation::Compilation& 
   corpus.runs = StimuliOf(runs);
   const std::set<std::string> dropped = soak::FitTo(compilation, corpus.runs);
   if (!dropped.empty()) {
-    std::string names;
-    size_t count = 0;
-    for (const std::string& name : dropped) {
-      if (++count <= kMostDropped) names += (names.empty() ? "'" : ", '") + name + "'";
-    }
-    if (count > kMostDropped) names += " and " + std::to_string(count - kMostDropped) + " more";
+    std::vector<std::string> names;
+    for (const std::string& name : dropped) names.push_back("'" + name + "'");
     PrintNote("runs in '" + CorpusFolder(directory) +
-              "' set what this program does not have, or to values that it does " + "not take: " + names +
+              "' set what this program does not have, or to values that it does " +
+              "not take: " + support::Listed(names, kMostDropped) +
               "; they are run without it, as runs of another version of the program");
   }
   return corpus;

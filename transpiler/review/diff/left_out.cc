@@ -4,8 +4,10 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "transpiler/ir/symbol_names.h"
 #include "transpiler/review/diff/groups.h"
 #include "transpiler/support/listed.h"
 
@@ -64,14 +66,10 @@ Parts PartsOf(const std::vector<CellId>& cells, const CellWords& words) {
 
 /// By symbol of the sources: its address.
 std::map<std::string, std::string> AddressesOf(const ir::Program& program) {
-  constexpr std::string_view kBetween = ", ";
   std::map<std::string, std::string> addresses;
   for (const ir::Documentation& known : program.documentation) {
-    for (std::string_view rest = known.symbols; !rest.empty() && !known.address.empty();) {
-      const size_t end = std::min(rest.find(kBetween), rest.size());
-      addresses.emplace(rest.substr(0, end), known.address);
-      rest.remove_prefix(std::min(end + kBetween.size(), rest.size()));
-    }
+    if (known.address.empty()) continue;
+    ir::ForEachSymbolName(known, [&](std::string_view symbol) { addresses.emplace(symbol, known.address); });
   }
   return addresses;
 }

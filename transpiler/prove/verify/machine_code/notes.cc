@@ -2,6 +2,7 @@
 #include <llvm/BinaryFormat/ELF.h>
 
 #include <algorithm>
+#include <span>
 
 #include "transpiler/prove/verify/machine_code/lifter.h"
 
@@ -10,56 +11,40 @@ namespace {
 
 constexpr uint64_t kMostNoteBytes = 8;
 
-uint64_t BytesOfRiscvNote(uint64_t type) {
-  switch (type) {
-    case llvm::ELF::R_RISCV_NONE:
-    case llvm::ELF::R_RISCV_RELAX:
-    case llvm::ELF::R_RISCV_ALIGN:  // of the section (Section::may_go)
-      return 0;
-    case llvm::ELF::R_RISCV_RVC_BRANCH:
-    case llvm::ELF::R_RISCV_RVC_JUMP:
-      return 2;
-    case llvm::ELF::R_RISCV_32:
-    case llvm::ELF::R_RISCV_ADD32:
-    case llvm::ELF::R_RISCV_SUB32:
-    case llvm::ELF::R_RISCV_BRANCH:
-    case llvm::ELF::R_RISCV_JAL:
-    case llvm::ELF::R_RISCV_HI20:
-    case llvm::ELF::R_RISCV_LO12_I:
-    case llvm::ELF::R_RISCV_LO12_S:
-    case llvm::ELF::R_RISCV_PCREL_HI20:
-    case llvm::ELF::R_RISCV_PCREL_LO12_I:
-    case llvm::ELF::R_RISCV_PCREL_LO12_S:
-      return 4;
-    default:  // of LLVM's, which has dozens
-      return kMostNoteBytes;
-  }
-}
+/// Bytes that a note of a type is about.
+struct NoteBytes {
+  uint64_t type, bytes;
+};
 
-uint64_t BytesOfArmNote(uint64_t type) {
-  switch (type) {
-    case llvm::ELF::R_ARM_NONE:
-      return 0;
-    case llvm::ELF::R_ARM_THM_JUMP8:
-    case llvm::ELF::R_ARM_THM_JUMP11:
-      return 2;
-    case llvm::ELF::R_ARM_ABS32:
-    case llvm::ELF::R_ARM_REL32:
-    case llvm::ELF::R_ARM_THM_CALL:
-    case llvm::ELF::R_ARM_THM_JUMP19:
-    case llvm::ELF::R_ARM_THM_JUMP24:
-    case llvm::ELF::R_ARM_THM_MOVW_ABS_NC:
-    case llvm::ELF::R_ARM_THM_MOVT_ABS:
-      return 4;
-    default:  // of LLVM's, which has dozens
-      return kMostNoteBytes;
-  }
+constexpr NoteBytes kRiscvNotes[] = {
+    {llvm::ELF::R_RISCV_NONE, 0},         {llvm::ELF::R_RISCV_RELAX, 0},
+    {llvm::ELF::R_RISCV_ALIGN, 0},  // of the section (Section::may_go)
+    {llvm::ELF::R_RISCV_RVC_BRANCH, 2},   {llvm::ELF::R_RISCV_RVC_JUMP, 2},
+    {llvm::ELF::R_RISCV_32, 4},           {llvm::ELF::R_RISCV_ADD32, 4},
+    {llvm::ELF::R_RISCV_SUB32, 4},        {llvm::ELF::R_RISCV_BRANCH, 4},
+    {llvm::ELF::R_RISCV_JAL, 4},          {llvm::ELF::R_RISCV_HI20, 4},
+    {llvm::ELF::R_RISCV_LO12_I, 4},       {llvm::ELF::R_RISCV_LO12_S, 4},
+    {llvm::ELF::R_RISCV_PCREL_HI20, 4},   {llvm::ELF::R_RISCV_PCREL_LO12_I, 4},
+    {llvm::ELF::R_RISCV_PCREL_LO12_S, 4},
+};
+
+constexpr NoteBytes kArmNotes[] = {
+    {llvm::ELF::R_ARM_NONE, 0},         {llvm::ELF::R_ARM_THM_JUMP8, 2},  {llvm::ELF::R_ARM_THM_JUMP11, 2},
+    {llvm::ELF::R_ARM_ABS32, 4},        {llvm::ELF::R_ARM_REL32, 4},      {llvm::ELF::R_ARM_THM_CALL, 4},
+    {llvm::ELF::R_ARM_THM_JUMP19, 4},   {llvm::ELF::R_ARM_THM_JUMP24, 4}, {llvm::ELF::R_ARM_THM_MOVW_ABS_NC, 4},
+    {llvm::ELF::R_ARM_THM_MOVT_ABS, 4},
+};
+
+/// Of a type that has no row here, of which LLVM knows dozens, as many as any has.
+uint64_t BytesIn(std::span<const NoteBytes> rows, uint64_t type) {
+  const auto row = std::ranges::find(rows, type, &NoteBytes::type);
+  return row == rows.end() ? kMostNoteBytes : row->bytes;
 }
 
 }  // namespace
 
 uint64_t Program::BytesOf(const Link& link) const {
-  return machine_.is_arm() ? BytesOfArmNote(link.type) : BytesOfRiscvNote(link.type);
+  return BytesIn(machine_.is_arm() ? std::span<const NoteBytes>(kArmNotes) : kRiscvNotes, link.type);
 }
 
 std::vector<std::pair<uint64_t, const Link*>> Program::NotesOn(const Section& section, uint64_t begin,
